@@ -1,0 +1,18 @@
+// From what a scene file says to a scene that can be sampled.
+#pragma once
+
+#include <memory>
+
+#include "core/description.h"
+#include "core/scene.h"
+
+namespace wander {
+
+// The description is valid, as the reader of scene files leaves it.
+std::unique_ptr<const Scene<Flatland>> build_flatland(const description::Scene& scene);
+
+// The materials as the scene models them: roughness below 1e-8 is smooth, and an interface of rough
+// glass between equal indices lets everything pass.
+template <World W> Material<W> build_material(const description::MaterialKind& kind);
+
+}  // namespace wander

@@ -1,0 +1,104 @@
+// What a scene file says, as plain data: the contract between the reader of scene files and the
+// builder of scenes.  Nothing here knows JSON, geometry or light transport.
+//
+// Units: metres, degrees where a name ends in `_degrees`, radiance in W/(m rad) in two dimensions
+// and W/(m^2 sr) in three.  A document that reaches this form is valid: every number is finite and
+// in the domain that schema/scene.schema.json states, every reference resolves.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace wander::description {
+
+// Two coordinates in Flatland, three in Spaceland; the third is zero in Flatland.
+using Coordinates = std::array<double, 3>;
+// One number, or red, green and blue: grey is three equal channels with `coloured` false.
+struct Quantity {
+  std::array<double, 3> channels{};
+  bool coloured = false;
+};
+
+struct Black {};
+struct Diffuse {
+  Quantity reflectance;
+};
+struct Mirror {
+  Quantity reflectance;
+};
+struct Dielectric {
+  double interior_index = 1.5, exterior_index = 1;
+};
+struct RoughConductor {
+  double roughness = 0;
+  Quantity reflectance;
+};
+struct RoughDielectric {
+  double roughness = 0, interior_index = 1.5, exterior_index = 1;
+};
+using MaterialKind =
+    std::variant<Black, Diffuse, Mirror, Dielectric, RoughConductor, RoughDielectric>;
+
+struct Material {
+  std::string name;
+  MaterialKind kind;
+};
+
+// One-sided Lambertian emission, from the side of the normal.
+struct Light {
+  Quantity radiance;
+};
+// One-sided Lambertian response, on the side of the normal; one bin per entry in 2D, {w, h} in 3D.
+struct Sensor {
+  std::vector<int> resolution;
+};
+
+struct Segment {
+  Coordinates from{}, to{};
+};
+struct Polyline {
+  std::vector<Coordinates> points;
+  bool closed = false;
+};
+struct Circle {
+  Coordinates center{};
+  double radius = 0;
+  bool flip = false;
+};
+struct Arc {
+  Coordinates center{};
+  double radius = 0, from_degrees = 0, to_degrees = 0;
+  bool flip = false;
+};
+using ShapeKind = std::variant<Segment, Polyline, Circle, Arc>;
+
+struct Shape {
+  ShapeKind kind;
+  std::optional<std::size_t> material;  // index into Scene::materials; none means black
+  std::optional<Light> light;
+  std::optional<Sensor> sensor;
+  std::string name, id;
+  int line = 0, column = 0;  // where the shape begins in its file, for messages
+};
+
+struct Camera {
+  Coordinates position{}, target{}, up{};
+  double fov_degrees = 0;  // horizontal, whole angle
+  std::vector<int> resolution;
+  double aperture_radius = 0;
+  std::optional<double> focus_distance;  // default: distance from position to target
+};
+
+struct Scene {
+  std::string name, description;
+  int dimension = 2;
+  int max_vertices = 8;
+  std::vector<Material> materials;
+  std::vector<Shape> shapes;
+  std::optional<Camera> camera;
+};
+
+}  // namespace wander::description

@@ -1,0 +1,96 @@
+#include "core/film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace wander {
+
+LengthFilms::LengthFilms(int bins, int max_vertices) : bins_(bins) {
+  const std::int64_t lengths = max_vertices - 1;
+  if (lengths * bins <= most_length_values) films_.resize(static_cast<std::size_t>(lengths));
+}
+
+void LengthFilms::merge(const LengthFilms& other) {
+  for (std::size_t k = 0; k < films_.size(); ++k) {
+    const auto& theirs = other.films_[k];
+    if (theirs.empty()) continue;
+    if (films_[k].empty()) films_[k].resize(theirs.size());
+    for (std::size_t i = 0; i < theirs.size(); ++i) films_[k][i] += theirs[i];
+  }
+}
+
+void LengthFilms::clear() {
+  for (auto& film : films_) std::ranges::fill(film, Sum{});
+}
+
+std::map<int, std::vector<double>> LengthFilms::scaled(double factor) const {
+  std::map<int, std::vector<double>> films;
+  for (std::size_t k = 0; k < films_.size(); ++k) {
+    if (films_[k].empty()) continue;
+    auto& film = films[static_cast<int>(k) + 2];
+    for (const Sum& x : films_[k]) film.push_back(factor * x.value());
+  }
+  return films;
+}
+
+SampleFilm::SampleFilm(int bins, int max_vertices)
+    : sum_(static_cast<std::size_t>(bins)),
+      squares_(static_cast<std::size_t>(bins)),
+      current_(static_cast<std::size_t>(bins)),
+      lengths_(bins, max_vertices) {
+  touched_.reserve(static_cast<std::size_t>(std::min(bins, 1 << 16)));
+}
+
+void SampleFilm::add(int vertices, int bin, double contribution) {
+  double& x = current_[static_cast<std::size_t>(bin)];
+  if (x == 0) touched_.push_back(bin);
+  x += contribution;
+  lengths_.add(vertices, bin, contribution);
+}
+
+void SampleFilm::end_sample() {
+  for (const int bin : touched_) {
+    const auto i = static_cast<std::size_t>(bin);
+    sum_[i] += current_[i];
+    squares_[i] += current_[i] * current_[i];
+    current_[i] = 0;
+  }
+  touched_.clear();
+  ++samples_;
+}
+
+void SampleFilm::merge(const SampleFilm& other) {
+  for (std::size_t i = 0; i < sum_.size(); ++i) {
+    sum_[i] += other.sum_[i];
+    squares_[i] += other.squares_[i];
+  }
+  lengths_.merge(other.lengths_);
+  samples_ += other.samples_;
+}
+
+void SampleFilm::clear() {
+  std::ranges::fill(sum_, Sum{});
+  std::ranges::fill(squares_, Sum{});
+  lengths_.clear();
+  samples_ = 0;
+}
+
+// The value of a bin is bins · E[x]: the mean of the film is E of a whole sample.
+FilmEstimate SampleFilm::estimate(std::span<const int> resolution) const {
+  FilmEstimate film{.shape = {resolution.begin(), resolution.end()}};
+  const double n = static_cast<double>(samples_), bins = static_cast<double>(sum_.size());
+  film.degrees_of_freedom = std::max(0.0, n - 1);
+  for (std::size_t i = 0; i < sum_.size(); ++i) {
+    const double sum = sum_[i].value(), squares = squares_[i].value();
+    const double variance = std::max(0.0, squares - sum * sum / n) / (n - 1);
+    film.value.push_back(samples_ > 0 ? bins * sum / n : 0);
+    film.standard_error.push_back(samples_ > 1 ? bins * std::sqrt(variance / n)
+                                               : std::numeric_limits<double>::quiet_NaN());
+    film.reliable.push_back(sum * sum >= fewest_effective_samples * squares && squares > 0);
+  }
+  film.by_length = lengths_.scaled(samples_ > 0 ? bins / n : 0);
+  return film;
+}
+
+}  // namespace wander

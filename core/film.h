@@ -1,0 +1,65 @@
+// The film: what samples deposit, and the estimate with its error bars that comes of it.
+//
+// Two kinds of observations make a film.  Independent samples give their own variance (SampleFilm);
+// Markov chains come in independent groups, and the spread of the groups is the error (GroupFilm).
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "core/rendering.h"
+#include "core/sum.h"
+
+namespace wander {
+
+// A bin is reliable when at least this many effective samples, (Σ x)² / Σ x² [Kish 1965], reached
+// it: then no few samples dominate it, and its t-interval holds what it promises.
+inline constexpr double fewest_effective_samples = 100;
+
+// Films by path length are kept up to this many numbers.
+inline constexpr std::int64_t most_length_values = std::int64_t{1} << 24;
+
+// Films of paths of each length, made as the lengths occur.
+class LengthFilms {
+ public:
+  LengthFilms(int bins, int max_vertices);
+
+  void add(int vertices, int bin, double value) {
+    if (films_.empty()) return;
+    auto& film = films_[static_cast<std::size_t>(vertices - 2)];
+    if (film.empty()) film.resize(static_cast<std::size_t>(bins_));
+    film[static_cast<std::size_t>(bin)] += value;
+  }
+  void merge(const LengthFilms& other);
+  void clear();
+  std::map<int, std::vector<double>> scaled(double factor) const;
+
+ private:
+  int bins_;
+  std::vector<std::vector<Sum>> films_;  // by number of vertices - 2; empty until one contributes
+};
+
+// Contributions of independent samples, per bin: Σ x and Σ x² over samples.
+class SampleFilm {
+ public:
+  SampleFilm(int bins, int max_vertices);
+
+  void add(int vertices, int bin, double contribution);  // to the sample that is under way
+  void end_sample();
+  void merge(const SampleFilm& other);
+  void clear();
+
+  std::uint64_t samples() const { return samples_; }
+  FilmEstimate estimate(std::span<const int> resolution) const;
+
+ private:
+  std::vector<Sum> sum_, squares_;
+  std::vector<double> current_;  // of the sample under way; zero outside `touched_`
+  std::vector<int> touched_;
+  LengthFilms lengths_;
+  std::uint64_t samples_ = 0;
+};
+
+}  // namespace wander

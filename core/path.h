@@ -1,0 +1,84 @@
+// A light path: x_0 on a light, x_{n-1} on the sensor, in Veach's order.
+//
+// With every vertex the path keeps what the densities and the contribution are made of:
+//   value        Le(x_0→x_1), f_s(x_{i-1}→x_i→x_{i+1}), We(x_{n-2}→x_{n-1})
+//   geometry     G(x_i, x_{i+1}) = V |cos cos'| / r^(D-1), of the edge towards the sensor
+//   from_light   density, per unit of area, of sampling x_i from its neighbour on the light's side
+//   from_sensor  the same from the sensor's side
+// so that, with (s,t) the technique that samples s vertices from the light and t from the sensor,
+//   f(x)       = Π value_i Π geometry_i
+//   p_{s,t}(x) = Π_{i<s} from_light_i Π_{i>=s} from_sensor_i            [Veach 1997, eq. 10.7-10.9]
+// Measure: area product over the vertices that are not specular.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "core/event.h"
+#include "core/ray.h"
+#include "core/scaled.h"
+
+namespace wander {
+
+// Where a vertex is.  Pointland has one of its own.
+template <class W> struct Place {
+  typename W::Point position{};
+  typename W::Direction normal{};
+  typename W::Direction to_sensor{};  // unit vector along the edge towards the sensor
+  ShapeId shape = no_shape;
+};
+
+template <class W> struct Vertex {
+  using Real = typename W::Real;
+  typename W::Place place;
+  double geometry = 0;
+  Real value = 0, from_light = 0, from_sensor = 0;
+  Event event = Event::scattering;
+};
+
+// Memory is reserved once, for the longest path of a scene; no operation below allocates.
+template <class W> class Path {
+ public:
+  explicit Path(int max_vertices) {
+    vertices_.reserve(static_cast<std::size_t>(max_vertices));
+    weights_.reserve(static_cast<std::size_t>(max_vertices) + 1);
+  }
+
+  int size() const { return static_cast<int>(vertices_.size()); }
+  void resize(int n) { vertices_.resize(static_cast<std::size_t>(n)); }
+  Vertex<W>& operator[](int i) { return vertices_[static_cast<std::size_t>(i)]; }
+  const Vertex<W>& operator[](int i) const { return vertices_[static_cast<std::size_t>(i)]; }
+
+  // Vertices [first, first + count) of `other`, to `at` here.
+  void copy(const Path& other, int first, int count, int at) {
+    std::copy_n(other.vertices_.begin() + first, count, vertices_.begin() + at);
+  }
+
+  // Kept with the path while it is a state of a chain: f(x), the intensity Σ_s q_s p_{s,t}(x) of a
+  // sampler that chooses technique s with probability ∝ q_s, and w_s = q_s p_{s,t} / Σ.
+  Scaled contribution;
+  Scaled intensity;
+  std::vector<double>& weights() { return weights_; }
+  const std::vector<double>& weights() const { return weights_; }
+
+ private:
+  std::vector<Vertex<W>> vertices_;
+  std::vector<double> weights_;
+};
+
+// f(x) = Π value Π geometry, with respect to the area product.
+template <class W> Scaled contribution(const Path<W>& x) {
+  Scaled f = double(x[x.size() - 1].value);
+  for (int i = 0; i + 1 < x.size(); ++i) f *= double(x[i].value) * x[i].geometry;
+  return f;
+}
+
+// Such as LDSE: the event of each vertex, light first.
+template <class W> std::string path_class(const Path<W>& x) {
+  std::string letters;
+  for (int i = 0; i < x.size(); ++i) letters += letter(x[i].event);
+  return letters;
+}
+
+}  // namespace wander

@@ -1,0 +1,90 @@
+#include "core/run.h"
+
+#include <tbb/concurrent_queue.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <thread>
+
+namespace wander {
+
+namespace {
+
+int available_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+
+struct Ticket {
+  std::uint64_t unit;
+  int slot;
+};
+
+}  // namespace
+
+Run::Run(const Session& session)
+    : session_(session),
+      threads_(session.threads > 0 ? session.threads : available_threads()),
+      start_(std::chrono::steady_clock::now()),
+      last_report_(start_) {}
+
+double Run::seconds() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+void Run::report(const ProgressReport& progress) {
+  const auto now = std::chrono::steady_clock::now();
+  if (!session_.report || now - last_report_ < std::chrono::milliseconds(100)) return;
+  last_report_ = now;
+  session_.report(progress);
+}
+
+int slots_of(const Run& run) { return run.threads() + 2; }
+
+void run_in_order(const Run& run, const Units& units) {
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(run.threads()));
+  tbb::task_arena arena(run.threads());
+  tbb::concurrent_bounded_queue<int> free_slots;
+  for (int slot = 0; slot < slots_of(run); ++slot) free_slots.push(slot);
+  std::uint64_t next = 0;
+  const auto take = [&](tbb::flow_control& flow) -> Ticket {
+    if (next == units.units || !units.more(next)) {
+      flow.stop();
+      return {};
+    }
+    Ticket ticket{next++, 0};
+    free_slots.pop(ticket.slot);
+    return ticket;
+  };
+  const auto work = [&](Ticket ticket) {
+    units.work(ticket.unit, ticket.slot);
+    return ticket;
+  };
+  const auto merge = [&](Ticket ticket) {
+    units.merge(ticket.unit, ticket.slot);
+    free_slots.push(ticket.slot);
+  };
+  arena.execute([&] {
+    tbb::parallel_pipeline(
+        static_cast<std::size_t>(slots_of(run)),
+        tbb::make_filter<void, Ticket>(tbb::filter_mode::serial_in_order, take) &
+            tbb::make_filter<Ticket, Ticket>(tbb::filter_mode::parallel, work) &
+            tbb::make_filter<Ticket, void>(tbb::filter_mode::serial_in_order, merge));
+  });
+}
+
+void run_parallel(const Run& run, int count, const std::function<void(int)>& work) {
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(run.threads()));
+  tbb::task_arena arena(run.threads());
+  arena.execute([&] {
+    tbb::parallel_for(
+        tbb::blocked_range<int>(0, count, 1),
+        [&](const tbb::blocked_range<int>& range) {
+          for (int i = range.begin(); i != range.end(); ++i) work(i);
+        },
+        tbb::simple_partitioner());
+  });
+}
+
+}  // namespace wander

@@ -1,0 +1,70 @@
+#include "core/scene.h"
+
+#include <algorithm>
+
+namespace wander {
+
+namespace {
+
+template <World W> typename W::Length measure(const Shape<W>& shape) {
+  return visit_shape([](const auto& s) { return s.measure(); }, shape);
+}
+
+template <World W> bool specular_material(const Material<W>& material) {
+  return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::specular; }, material);
+}
+
+}  // namespace
+
+template <World W>
+Scene<W>::Scene(SceneParts<W> parts)
+    : materials_(std::move(parts.materials)),
+      camera_(std::move(parts.camera)),
+      resolution_(std::move(parts.resolution)),
+      bins_(1),
+      max_vertices_(parts.max_vertices) {
+  for (const int n : resolution_) bins_ *= n;
+  double power = 0;
+  for (const auto& part : parts.parts) {
+    const auto id = static_cast<ShapeId>(shapes_.size());
+    const Material<W>& material = materials_[part.material];
+    shapes_.push_back(part.shape);
+    surfaces_.push_back({.material = &material,
+                         .is_specular = specular_material<W>(material),
+                         .scatters = !std::holds_alternative<Black<W>>(material),
+                         .is_sensor = part.is_sensor,
+                         .radiance = part.radiance});
+    if (part.is_sensor) sensor_ = id;
+    if (!(part.radiance > 0)) continue;
+    lights_.push_back(id);
+    light_pmf_.push_back(static_cast<double>(part.radiance) *
+                         static_cast<double>(measure<W>(part.shape)));
+    power += light_pmf_.back();
+  }
+  for (double& p : light_pmf_) p /= power;
+  for (const ShapeId id : lights_) {
+    Surface<W>& light = surfaces_[static_cast<std::size_t>(id)];
+    light.light_density = static_cast<Real>(static_cast<double>(light.radiance) / power);
+  }
+  bvh_ = Bvh<W>(shapes_);
+}
+
+template <World W> int Scene<W>::bin(typename W::Square film) const {
+  // Film coordinates name the fastest axis first, `resolution` last.
+  int index = 0;
+  for (std::size_t k = film.size(); k-- > 0;) {
+    const int n = resolution_[film.size() - 1 - k];
+    const int cell = static_cast<int>(film[k] * static_cast<Real>(n));
+    index = index * n + std::clamp(cell, 0, n - 1);
+  }
+  return index;
+}
+
+template <World W> auto Scene<W>::sensor_measure() const -> Length {
+  return measure<W>(shape(sensor_));
+}
+
+template class Scene<Flatland>;
+template class Scene<Spaceland>;
+
+}  // namespace wander

@@ -1,0 +1,84 @@
+// The curves of Flatland: straight segments and exact circular arcs.
+//
+// A shape offers
+//   intersect(ray, self)   distance to the nearest crossing in (0, limit), or infinity
+//   surface(ray, distance) position and normal of that crossing
+//   sample(u)              the point at parameter u in [0,1), by arc length
+//   parameter(point)       its inverse
+//   measure(), bounds()
+#pragma once
+
+#include "core/ray.h"
+
+namespace wander {
+
+template <World W> struct Box {
+  typename W::Point low, high;
+};
+
+template <World W> class Segment {
+ public:
+  using Length = typename W::Length;
+  using Point = typename W::Point;
+
+  Segment(Point from, Point to);
+
+  // The end points are classified by the side of the ray they lie on, so segments that share an end
+  // point leave no gap: a ray through it crosses exactly one of the two.
+  Length intersect(const Ray<W>& ray, ShapeId self) const {
+    if (ray.from == self || ray.to == self) return miss();
+    const Point a = from_ - ray.origin, b = to_ - ray.origin;
+    const Length side_a = cross(ray.direction, a), side_b = cross(ray.direction, b);
+    if ((side_a > 0) == (side_b > 0)) return miss();
+    const Length numerator = side_a > 0 ? -cross(a, b) : cross(a, b);
+    // An origin within rounding of this line counts as in front of it: light cannot leave a room
+    // through the last bit of a corner.
+    if (!(numerator >= -slack_)) return miss();
+    const Length distance = numerator / std::abs(side_b - side_a);
+    return distance < ray.limit ? std::max(distance, Length(0)) : miss();
+  }
+  SurfacePoint<W> surface(const Ray<W>& ray, Length) const {
+    const Length side_a = cross(ray.direction, from_ - ray.origin);
+    const Length side_b = cross(ray.direction, to_ - ray.origin);
+    return {from_ + (to_ - from_) * (side_a / (side_a - side_b)), normal_};
+  }
+  SurfacePoint<W> sample(typename W::Square u) const {
+    return {from_ + (to_ - from_) * Length(u[0]), normal_};
+  }
+  typename W::Square parameter(Point p) const;
+  Length measure() const { return length_; }
+  Box<W> bounds() const { return {glm::min(from_, to_), glm::max(from_, to_)}; }
+
+ private:
+  static constexpr Length miss() { return std::numeric_limits<Length>::infinity(); }
+
+  Point from_, to_, normal_;
+  Length length_, slack_;
+};
+
+// An arc runs counter-clockwise; a circle is an arc of a full turn.
+template <World W> class Arc {
+ public:
+  using Length = typename W::Length;
+  using Point = typename W::Point;
+  enum class Facing { outward, inward };
+
+  Arc(Point center, Length radius, Length start_radians, Length extent_radians, Facing facing);
+
+  Length intersect(const Ray<W>& ray, ShapeId self) const;
+  SurfacePoint<W> surface(const Ray<W>& ray, Length distance) const;
+  SurfacePoint<W> sample(typename W::Square u) const;
+  typename W::Square parameter(Point p) const;
+  Length measure() const { return radius_ * extent_; }
+  Box<W> bounds() const;
+
+ private:
+  bool holds(Point from_center) const;
+  SurfacePoint<W> at(Point from_center) const;
+  Length valid(const Ray<W>& ray, Length distance) const;
+
+  Point center_, first_, last_;  // unit vectors from the centre to the ends
+  Length radius_, start_, extent_, facing_;
+};
+
+}  // namespace wander

@@ -1,0 +1,101 @@
+// Techniques (s,t): s vertices sampled from the light, t = n - s from the sensor, and one edge that
+// connects them; s = 0 and t = 0 hit a light or the sensor by chance.  Their densities are products
+// over the vertices (path.h), so neighbours differ by one ratio,
+//   p_{s+1,t-1} / p_{s,t} = from_light_s / from_sensor_s,
+// and all weights of a path take linear time [Veach 1997, 10.2].
+#pragma once
+
+#include <limits>
+#include <span>
+
+#include "core/path.h"
+
+namespace wander {
+
+// The techniques that an estimator combines: a rectangle in (s,t).
+struct TechniqueSet {
+  static constexpr int any = std::numeric_limits<int>::max();
+  int fewest_light = 0, most_light = any;
+  int fewest_sensor = 0, most_sensor = any;
+
+  bool holds(int s, int t) const {
+    return s >= fewest_light && s <= most_light && t >= fewest_sensor && t <= most_sensor;
+  }
+};
+
+inline constexpr TechniqueSet all_techniques{};
+
+// Can technique s sample this path?  A vertex whose direction is fixed by its neighbour cannot be
+// connected to, and a camera cannot be hit.
+template <class Space, class W>
+bool can_sample(const Space& space, const Path<W>& x, int s, const TechniqueSet& set) {
+  const int n = x.size();
+  if (!set.holds(s, n - s)) return false;
+  if (s == 0) return true;
+  if (s == n) return space.sensor_can_be_hit();
+  return space.can_connect(x[s - 1]) && space.can_connect(x[s]);
+}
+
+// Multiple importance sampling [Veach 1997, 9.2]: w_s ∝ p_s^β, with β = 1 the balance heuristic and
+// β = 2 the power heuristic.
+enum class Heuristic { balance, power };
+
+inline double raised(double ratio, Heuristic heuristic) {
+  return heuristic == Heuristic::balance ? ratio : ratio * ratio;
+}
+
+// w_s(x) among the techniques of `set`.  Ratios are summed by Horner's rule outwards from s, so
+// nothing overflows before the weight itself vanishes.
+template <class Space, class W>
+double mis_weight(const Space& space, const Path<W>& x, int s, const TechniqueSet& set,
+                  Heuristic heuristic) {
+  double above = 0, below = 0;  // Σ (p_j / p_s)^β over j > s and over j < s
+  for (int i = x.size() - 1; i >= s; --i) {
+    const double possible = can_sample(space, x, i + 1, set) ? 1 : 0;
+    above = raised(x[i].from_light / x[i].from_sensor, heuristic) * (possible + above);
+  }
+  for (int i = 0; i < s; ++i) {
+    const double possible = can_sample(space, x, i, set) ? 1 : 0;
+    below = raised(x[i].from_sensor / x[i].from_light, heuristic) * (possible + below);
+  }
+  return 1 / (1 + above + below);
+}
+
+// p_{s,t}(x), with respect to the area product.
+template <class W> Scaled technique_density(const Path<W>& x, int s) {
+  Scaled p = 1;
+  for (int i = 0; i < x.size(); ++i) p *= double(i < s ? x[i].from_light : x[i].from_sensor);
+  return p;
+}
+
+// f(x) / p_{s,t}(x).  Factors are paired so that each is of the order of one.
+template <class W> double unweighted_contribution(const Path<W>& x, int s) {
+  const int n = x.size();
+  double c = s > 0 && s < n ? x[s - 1].geometry : 1;
+  for (int i = 0; i < s; ++i) c *= (i > 0 ? x[i - 1].geometry : 1) * x[i].value / x[i].from_light;
+  for (int i = n - 1; i >= s; --i)
+    c *= (i < n - 1 ? x[i].geometry : 1) * x[i].value / x[i].from_sensor;
+  return c;
+}
+
+// Writes f(x), the intensity Σ_s p_{s,t}(x) over the techniques of a sampler that gives each the
+// same chance, and the balance weights w_s = p_{s,t} / Σ, s = 0…n, into the path.
+template <class Space, class W> void measure(const Space& space, Path<W>& x) {
+  const int n = x.size();
+  x.contribution = contribution(x);
+  auto& weights = x.weights();
+  weights.assign(static_cast<std::size_t>(n) + 1, 0);
+  Scaled p = technique_density(x, 0), sum;
+  for (int s = 0; s <= n; ++s) {
+    if (can_sample(space, x, s, all_techniques)) sum += p;
+    if (s < n) p *= x[s].from_light / double(x[s].from_sensor);
+  }
+  x.intensity = sum;
+  p = technique_density(x, 0) / sum;
+  for (int s = 0; s <= n; ++s) {
+    if (can_sample(space, x, s, all_techniques)) weights[static_cast<std::size_t>(s)] = p.value();
+    if (s < n) p *= x[s].from_light / double(x[s].from_sensor);
+  }
+}
+
+}  // namespace wander

@@ -1,0 +1,207 @@
+#include "core/transport.h"
+
+#include <cmath>
+
+namespace wander {
+
+namespace {
+
+template <World W> typename W::Local local(const Vertex<W>& v, typename W::Direction direction) {
+  return typename W::Local(Frame<W::dimension, typename W::Length>{v.place.normal}.to_local(direction));
+}
+
+// G without visibility: |cos cos'| / r^(D-1) for the edge along `direction`.
+template <World W>
+double geometry(const Vertex<W>& a, const Vertex<W>& b, typename W::Direction direction,
+                typename W::Length distance) {
+  return static_cast<double>(
+      std::abs(glm::dot(direction, a.place.normal) * glm::dot(direction, b.place.normal)) /
+      W::Dimension::spread(distance));
+}
+
+template <World W> void place(Vertex<W>& v, const SurfacePoint<W>& p, ShapeId shape, Event event) {
+  v.place.position = p.position;
+  v.place.normal = p.normal;
+  v.place.shape = shape;
+  v.event = event;
+}
+
+// The event at a surface as long as no direction away from it has been sampled.  On a specular
+// surface it is some specular event, which forbids a connection there.
+template <World W> Event undecided(const Surface<W>& surface) {
+  return surface.is_specular ? Event::reflection : Event::scattering;
+}
+
+}  // namespace
+
+template <World W> void Transport<W>::begin_light(Path<W>& x, int i, PointNumbers<W> u) const {
+  const auto pmf = scene_->light_pmf();
+  std::size_t light = 0;
+  double left = u.light;
+  while (light + 1 < pmf.size() && left >= pmf[light]) left -= pmf[light++];
+  const ShapeId shape = scene_->lights()[light];
+  const auto point = visit_shape([&](const auto& s) { return s.sample(u.position); }, scene_->shape(shape));
+  place<W>(x[i], point, shape, Event::emission);
+}
+
+template <World W> void Transport<W>::begin_sensor(Path<W>& x, int i, PointNumbers<W> u) const {
+  if (const auto& camera = scene_->camera()) {
+    place<W>(x[i], {camera->sample_lens(u.position), camera->axis}, no_shape, Event::detection);
+    return;
+  }
+  const ShapeId shape = scene_->sensor();
+  const auto point = visit_shape([&](const auto& s) { return s.sample(u.position); }, scene_->shape(shape));
+  place<W>(x[i], point, shape, Event::detection);
+}
+
+template <World W>
+auto Transport<W>::sample_direction(Path<W>& x, int i, Toward toward, ScatterNumbers<W> u) const
+    -> std::optional<Direction> {
+  Vertex<W>& v = x[i];
+  const Frame<W::dimension, Length> frame{v.place.normal};
+  if (v.event == Event::detection && v.place.shape == no_shape)
+    return scene_->camera()->sample_direction(v.place.position, u.direction);
+  if (v.event == Event::emission || v.event == Event::detection)
+    return frame.to_world(Direction(W::Dimension::cosine_sample(u.direction)));
+
+  const Direction known =
+      toward == Toward::sensor ? -x[i - 1].place.to_sensor : v.place.to_sensor;
+  const auto sample = std::visit(
+      [&](const auto& m) { return m.sample(local(v, known), u); }, material(v));
+  if (!sample) return {};
+  v.event = sample->event;
+  return glm::normalize(frame.to_world(Direction(sample->direction)));
+}
+
+template <World W>
+bool Transport<W>::extend(Path<W>& x, int i, Toward toward, ScatterNumbers<W> u) const {
+  const auto direction = sample_direction(x, i, toward, u);
+  if (!direction) return false;
+  const Ray<W> ray{.origin = x[i].place.position, .direction = *direction, .from = x[i].place.shape};
+  const Hit<W> hit = scene_->closest(ray);
+  if (!hit || !(hit.distance > 0)) return false;
+
+  const int j = toward == Toward::sensor ? i + 1 : i - 1;
+  place<W>(x[j], scene_->surface_point(ray, hit), hit.shape, undecided(scene_->surface(hit.shape)));
+  Vertex<W>& lower = x[std::min(i, j)];
+  lower.place.to_sensor = toward == Toward::sensor ? *direction : -*direction;
+  lower.geometry = geometry(x[i], x[j], *direction, hit.distance);
+  return lower.geometry > 0;
+}
+
+template <World W> Connection Transport<W>::connect(Path<W>& x, int i) const {
+  Vertex<W>& a = x[i];
+  const Vertex<W>& b = x[i + 1];
+  const Direction offset = b.place.position - a.place.position;
+  const Length distance = glm::length(offset);
+  if (!(distance > 0)) return Connection::facing_away;
+  a.place.to_sensor = offset / distance;
+  a.geometry = geometry(a, b, a.place.to_sensor, distance);
+  if (!(a.geometry > 0)) return Connection::facing_away;
+  const Ray<W> ray{.origin = a.place.position,
+                   .direction = offset,
+                   .from = a.place.shape,
+                   .to = b.place.shape,
+                   .limit = 1};
+  return scene_->occluded(ray) ? Connection::occluded : Connection::open;
+}
+
+// Lambertian emission: radiance L on the normal's side, directions sampled ∝ cos: p⊥ = 1/c.
+template <World W> void Transport<W>::evaluate_emission(Path<W>& x) const {
+  Vertex<W>& v = x[0];
+  const Surface<W>& light = scene_->surface(v.place.shape);
+  const bool faces = glm::dot(v.place.to_sensor, v.place.normal) > 0;
+  constexpr Real c = W::Dimension::template half_space<Real>;
+  v.value = faces ? light.radiance : 0;
+  v.from_light = light.light_density;
+  x[1].from_light = faces ? static_cast<Real>(v.geometry / c) : 0;
+}
+
+// Lambertian response We = 1/|sensor|, sampled like an emission; or a camera's.
+template <World W> void Transport<W>::evaluate_detection(Path<W>& x, int i) const {
+  Vertex<W>& v = x[i];
+  const Direction direction = -x[i - 1].place.to_sensor;
+  const double edge = x[i - 1].geometry;
+  if (v.place.shape == no_shape) {
+    const Camera<W>& camera = *scene_->camera();
+    const Real density = camera.direction_density(v.place.position, direction);
+    v.from_sensor = camera.lens_density();
+    v.value = v.from_sensor * density;
+    x[i - 1].from_sensor = static_cast<Real>(density * edge);
+    return;
+  }
+  const bool faces = glm::dot(direction, v.place.normal) > 0;
+  constexpr Real c = W::Dimension::template half_space<Real>;
+  v.from_sensor = static_cast<Real>(1 / scene_->sensor_measure());
+  v.value = faces ? v.from_sensor : 0;
+  x[i - 1].from_sensor = faces ? static_cast<Real>(edge / c) : 0;
+}
+
+template <World W> void Transport<W>::evaluate(Path<W>& x, int i) const {
+  Vertex<W>& v = x[i];
+  if (v.event == Event::emission) return evaluate_emission(x);
+  if (v.event == Event::detection) return evaluate_detection(x, i);
+  const Local to_light = local(v, -x[i - 1].place.to_sensor), to_sensor = local(v, v.place.to_sensor);
+  const Scattering<W> s = std::visit(
+      [&](const auto& m) { return m.evaluate(v.event, to_light, to_sensor); }, material(v));
+  const double q = survival(v);
+  v.value = s.value;
+  x[i + 1].from_light = static_cast<Real>(q * s.toward_sensor * v.geometry);
+  x[i - 1].from_sensor = static_cast<Real>(q * s.toward_light * x[i - 1].geometry);
+}
+
+template <World W> bool Transport<W>::has_lobes(const Vertex<W>& v) const {
+  if (v.event == Event::emission || v.event == Event::detection) return false;
+  return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::has_lobes; }, material(v));
+}
+
+template <World W> auto Transport<W>::albedo(const Vertex<W>& v) const -> Real {
+  if (v.event == Event::emission || v.event == Event::detection) return 1;
+  return std::visit([](const auto& m) { return m.survival(); }, material(v));
+}
+
+template <World W>
+InvertedNumbers<W> Transport<W>::inverted(const Path<W>& x, int i, Toward toward) const {
+  const Vertex<W>& v = x[i];
+  const Direction to_light = i > 0 ? -x[i - 1].place.to_sensor : Direction(0);
+  const Direction known = toward == Toward::sensor ? to_light : v.place.to_sensor;
+  const Direction sampled = toward == Toward::sensor ? v.place.to_sensor : to_light;
+  if (v.event == Event::detection && v.place.shape == no_shape)
+    return {.direction = *scene_->camera()->film_coordinate(v.place.position, sampled)};
+  if (v.event == Event::emission || v.event == Event::detection)
+    return {.direction = W::Dimension::cosine_invert(local(v, sampled))};
+  return std::visit(
+      [&](const auto& m) { return m.invert(local(v, known), local(v, sampled), v.event); },
+      material(v));
+}
+
+template <World W> PointNumbers<W> Transport<W>::inverted_point(const Path<W>& x, int i) const {
+  const Vertex<W>& v = x[i];
+  if (v.place.shape == no_shape) {
+    if (scene_->camera()->is_pinhole()) return {};
+    return {.position = scene_->camera()->invert_lens(v.place.position)};
+  }
+  return {.position = visit_shape([&](const auto& s) { return s.parameter(v.place.position); },
+                                  scene_->shape(v.place.shape))};
+}
+
+template <World W> double Transport<W>::light_choice(ShapeId shape, double u) const {
+  double before = 0;
+  std::size_t light = 0;
+  while (scene_->lights()[light] != shape) before += scene_->light_pmf()[light++];
+  return before + u * scene_->light_pmf()[light];
+}
+
+template <World W> auto Transport<W>::film(const Path<W>& x) const -> typename W::Square {
+  const Vertex<W>& last = x[x.size() - 1];
+  if (last.place.shape == no_shape)
+    return *scene_->camera()->film_coordinate(last.place.position,
+                                              -x[x.size() - 2].place.to_sensor);
+  return visit_shape([&](const auto& s) { return s.parameter(last.place.position); },
+                     scene_->shape(last.place.shape));
+}
+
+template class Transport<Flatland>;
+template class Transport<Spaceland>;
+
+}  // namespace wander

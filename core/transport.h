@@ -1,0 +1,156 @@
+// Sampling and measuring paths in a scene: the vocabulary in which every estimator and every
+// mutation is written.  (Pointland offers the same vocabulary on a finite graph.)
+//
+//   begin_light, begin_sensor  the first vertex of a subpath
+//   extend                     the next vertex of a subpath, at its end
+//   connect                    the edge between two vertices that exist
+//   evaluate                   value and densities at a vertex whose neighbours are known
+//
+// A subpath towards the sensor grows upwards in a Path, one towards the light grows downwards; both
+// are stored light first, so what is written once serves both.
+#pragma once
+
+#include <span>
+
+#include "core/path.h"
+#include "core/rng.h"
+#include "core/scene.h"
+
+namespace wander {
+
+// Russian roulette: whether a walk goes on depends on the vertex alone, and is part of the density.
+enum class Roulette { off, by_albedo };
+
+enum class Connection { open, occluded, facing_away };
+
+// The random numbers that a first vertex consumes.
+template <World W> struct PointNumbers {
+  double light = 0;  // which light
+  typename W::Square position{};
+};
+
+template <World W> class Transport {
+ public:
+  using Universe = W;
+  using Real = typename W::Real;
+  using Length = typename W::Length;
+  using Direction = typename W::Direction;
+
+  Transport(const Scene<W>& scene, Roulette roulette) : scene_(&scene), roulette_(roulette) {}
+  Transport(Scene<W>&&, Roulette) = delete;
+
+  const Scene<W>& scene() const { return *scene_; }
+  int max_vertices() const { return scene_->max_vertices(); }
+
+  template <class Random> void begin_light(Path<W>& x, int i, Random& random) const {
+    begin_light(x, i, point_numbers(random));
+  }
+  template <class Random> void begin_sensor(Path<W>& x, int i, Random& random) const {
+    begin_sensor(x, i, point_numbers(random));
+  }
+  void begin_light(Path<W>& x, int i, PointNumbers<W> u) const;
+  void begin_sensor(Path<W>& x, int i, PointNumbers<W> u) const;
+
+  // Samples a direction at x_i, the end of a subpath, and writes the vertex that it meets at
+  // i + 1 or i - 1, with the edge between.  False: the walk ends at x_i.
+  template <class Random> bool extend(Path<W>& x, int i, Toward toward, Random& random) const {
+    return extend(x, i, toward, scatter_numbers(random, x[i]));
+  }
+  bool extend(Path<W>& x, int i, Toward toward, ScatterNumbers<W> u) const;
+
+  // Probability that a walk goes on at this vertex.
+  Real survival(const Vertex<W>& v) const {
+    return roulette_ == Roulette::off ? Real(1) : albedo(v);
+  }
+
+  // Writes the edge between x_i and x_{i+1}.
+  Connection connect(Path<W>& x, int i) const;
+
+  // Writes value_i, and the densities of its neighbours as sampled from it.
+  void evaluate(Path<W>& x, int i) const;
+
+  // The numbers that begin a subpath at x_i, and that extend it from there.  Numbers that the path
+  // does not fix are drawn.
+  template <class Random>
+  PointNumbers<W> invert_begin(const Path<W>& x, int i, Random& random) const;
+  template <class Random>
+  ScatterNumbers<W> invert_extend(const Path<W>& x, int i, Toward toward, Random& random) const;
+
+  // Can an edge be made at this vertex without sampling its direction?
+  bool can_connect(const Vertex<W>& v) const {
+    if (v.event != Event::scattering) return !is_specular(v.event);
+    return scene_->surface(v.place.shape).scatters;
+  }
+  bool is_light(const Vertex<W>& v) const {
+    return v.place.shape != no_shape && scene_->surface(v.place.shape).is_light();
+  }
+  bool is_sensor(const Vertex<W>& v) const {
+    return v.place.shape != no_shape && scene_->surface(v.place.shape).is_sensor;
+  }
+  // Can a walk from the light meet the sensor at all?
+  bool sensor_can_be_hit() const { return !scene_->camera(); }
+
+  // Where a whole path meets the film.
+  typename W::Square film(const Path<W>& x) const;
+  int bin(const Path<W>& x) const { return scene_->bin(film(x)); }
+
+ private:
+  using Local = typename W::Local;
+
+  template <class Random> PointNumbers<W> point_numbers(Random& random) const {
+    PointNumbers<W> u;
+    u.light = random.uniform();
+    for (auto& number : u.position) number = static_cast<Real>(random.uniform());
+    return u;
+  }
+  // The number that chooses a lobe is drawn only where a lobe is chosen.
+  template <class Random>
+  ScatterNumbers<W> scatter_numbers(Random& random, const Vertex<W>& v) const {
+    ScatterNumbers<W> u;
+    for (auto& number : u.direction) number = static_cast<Real>(random.uniform());
+    if (has_lobes(v)) u.lobe = static_cast<Real>(random.uniform());
+    return u;
+  }
+  bool has_lobes(const Vertex<W>& v) const;
+  Real albedo(const Vertex<W>& v) const;
+  const Material<W>& material(const Vertex<W>& v) const {
+    return *scene_->surface(v.place.shape).material;
+  }
+  std::optional<Direction> sample_direction(Path<W>& x, int i, Toward toward,
+                                            ScatterNumbers<W> u) const;
+  InvertedNumbers<W> inverted(const Path<W>& x, int i, Toward toward) const;
+  PointNumbers<W> inverted_point(const Path<W>& x, int i) const;
+  double light_choice(ShapeId shape, double u) const;
+  void evaluate_emission(Path<W>& x) const;
+  void evaluate_detection(Path<W>& x, int i) const;
+
+  const Scene<W>* scene_;
+  Roulette roulette_;
+};
+
+template <World W>
+template <class Random>
+PointNumbers<W> Transport<W>::invert_begin(const Path<W>& x, int i, Random& random) const {
+  PointNumbers<W> u = inverted_point(x, i);
+  const double free = random.uniform();
+  u.light = x[i].event == Event::emission ? light_choice(x[i].place.shape, free) : free;
+  if (x[i].place.shape == no_shape && scene_->camera()->is_pinhole())
+    for (auto& number : u.position) number = static_cast<Real>(random.uniform());
+  return u;
+}
+
+template <World W>
+template <class Random>
+ScatterNumbers<W> Transport<W>::invert_extend(const Path<W>& x, int i, Toward toward,
+                                              Random& random) const {
+  const InvertedNumbers<W> numbers = inverted(x, i, toward);
+  ScatterNumbers<W> u;
+  u.direction = numbers.direction;
+  if (numbers.direction_is_free)
+    for (auto& number : u.direction) number = static_cast<Real>(random.uniform());
+  const Real free = static_cast<Real>(random.uniform());
+  u.lobe = numbers.lobe_low + free * (numbers.lobe_high - numbers.lobe_low);
+  return u;
+}
+
+}  // namespace wander
