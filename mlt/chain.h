@@ -1,0 +1,80 @@
+// Metropolis–Hastings [Metropolis et al. 1953, Hastings 1970; Veach and Guibas 1997] on light paths,
+// with the target density f(x) / b.
+#pragma once
+
+#include <utility>
+
+#include "core/techniques.h"
+#include "mlt/proposal.h"
+
+namespace wander {
+
+// a(x→y) = min(1, f(y) T(y→x) / (f(x) T(x→y))).  Written with comparisons, so that NaN is refused.
+inline double acceptance(Scaled f_x, Scaled forward, Scaled f_y, Scaled reverse) {
+  const double ratio = ((f_y * reverse) / (f_x * forward)).value();
+  if (!(ratio > 0)) return 0;
+  return ratio < 1 ? ratio : 1;
+}
+
+// Everything that one step did.  Observers read it before the state moves, so the rejected proposal
+// is still there; the chain knows none of them.
+template <class W> struct Step {
+  const Path<W>& current;    // x
+  const Path<W>& proposed;   // y; of use only if `outcome` is a Proposal
+  int mutation;              // index in the mixture
+  Proposed outcome;
+  double acceptance;         // a(x→y); 0 when there is no proposal
+  Reason reason;             // none: accepted
+  bool accepted() const { return reason == Reason::none; }
+};
+
+template <class Space, class Kernel> class Chain {
+ public:
+  using W = typename Space::Universe;
+
+  // `seed` is a path with f > 0.
+  Chain(const Space& space, const Kernel& kernel, const Path<W>& seed)
+      : space_(&space), kernel_(&kernel), current_(seed), proposed_(seed) {
+    measure(space, current_);
+  }
+  Chain(const Space&&, const Kernel&, const Path<W>&) = delete;
+  Chain(const Space&, const Kernel&&, const Path<W>&) = delete;
+
+  const Path<W>& current() const { return current_; }
+
+  template <class Random, class Observer> void step(Random& random, Observer&& observe) {
+    auto [mutation, outcome] = kernel_->propose(*space_, current_, proposed_, random);
+    Reason reason = Reason::metropolis;
+    double a = 0;
+    if (const Proposal* p = std::get_if<Proposal>(&outcome)) {
+      proposed_.contribution = contribution(proposed_);
+      const Reason flaw = flaw_of(*p);
+      if (flaw != Reason::none) {
+        outcome = Failure{flaw};
+      } else {
+        a = acceptance(current_.contribution, p->forward, proposed_.contribution, p->reverse);
+        if (random.uniform() < a) reason = Reason::none;
+      }
+    }
+    if (const Failure* failure = std::get_if<Failure>(&outcome)) reason = failure->reason;
+    observe(Step<W>{current_, proposed_, mutation, outcome, a, reason});
+    if (reason != Reason::none) return;
+    measure(*space_, proposed_);
+    std::swap(current_, proposed_);
+  }
+
+ private:
+  // Why a proposal cannot be weighed, or `none`.
+  Reason flaw_of(const Proposal& p) const {
+    if (proposed_.contribution.is_zero()) return Reason::zero_contribution;
+    if (!proposed_.contribution.is_positive() || !p.forward.is_positive()) return Reason::not_finite;
+    if (p.reverse.is_zero()) return Reason::not_reversible;
+    return p.reverse.is_positive() ? Reason::none : Reason::not_finite;
+  }
+
+  const Space* space_;
+  const Kernel* kernel_;
+  Path<W> current_, proposed_;
+};
+
+}  // namespace wander

@@ -1,0 +1,64 @@
+// From steps to a film.  Expected values [Veach 1997, 11.3.2; "waste recycling"]: each step deposits
+// 1 - a at x and a at y, whatever was decided, so the deposits of n steps sum to n.
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "core/film.h"
+#include "mlt/chain.h"
+
+namespace wander {
+
+// The deposits of one group of chains.
+class GroupFilm {
+ public:
+  GroupFilm(int bins, int max_vertices)
+      : weights_(static_cast<std::size_t>(bins)), lengths_(bins, max_vertices) {}
+
+  void add(int vertices, int bin, double weight) {
+    weights_[static_cast<std::size_t>(bin)] += weight;
+    lengths_.add(vertices, bin, weight);
+  }
+  double weight(std::size_t bin) const { return weights_[bin].value(); }
+  std::size_t bins() const { return weights_.size(); }
+  const LengthFilms& lengths() const { return lengths_; }
+
+ private:
+  std::vector<Sum> weights_;
+  LengthFilms lengths_;
+};
+
+// The only place where a step reaches a film.
+template <class Space>
+void deposit(const Space& space, const Step<typename Space::Universe>& step, int current_bin,
+             GroupFilm& film) {
+  if (step.acceptance < 1) film.add(step.current.size(), current_bin, 1 - step.acceptance);
+  if (step.acceptance > 0)
+    film.add(step.proposed.size(), space.bin(step.proposed), step.acceptance);
+}
+
+// The film of all groups.  Group g estimates a bin by bins · b_g · (its share of the deposits); the
+// groups are independent, so their mean has the standard error of a mean (which is the delete-a-group
+// jackknife), with G - 1 degrees of freedom.  A group whose slice found no light contributes zero.
+class GroupsFilm {
+ public:
+  // With fewer groups than this no error bar is trusted.
+  static constexpr int fewest_groups = 16;
+
+  explicit GroupsFilm(std::vector<int> resolution);
+
+  // `b` is the group's own estimate; `steps` how many its chains made.
+  void add(const GroupFilm& film, double b, std::uint64_t steps);
+  void add_dark_group();
+
+  FilmEstimate estimate() const;
+
+ private:
+  std::vector<int> resolution_;
+  std::vector<double> mean_, squares_;  // Welford over groups
+  std::map<int, std::vector<double>> lengths_;
+  int groups_ = 0;
+};
+
+}  // namespace wander

@@ -1,0 +1,126 @@
+// The seed pass: independent bidirectional samples that estimate b and give every chain its first
+// path [Veach 1997, 11.3.1; Veach and Guibas 1997].
+//
+// Chains come in independent groups, each with a slice of the samples of its own.  In a slice,
+//   b_g = mean of Σ w f/p,   seeds drawn from its paths in proportion to w f / p,
+// and b_g times the mean of what its chains deposit is unbiased for any length of the chains.  No
+// Russian roulette.  Seeds are found in one sweep by weighted reservoirs; only the sample's index is
+// kept, and the path is made again from its random numbers.
+#pragma once
+
+#include <stdexcept>
+
+#include "core/path_sampler.h"
+#include "core/sum.h"
+
+namespace wander {
+
+// A path of the seed pass: sample index and technique find it again, `weight` proves it.
+struct Seed {
+  std::uint64_t sample = 0;
+  int vertices = 0, technique = 0;
+  double weight = 0;  // w f / p
+};
+
+class SeedReplayError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Σ and Σ² over samples, of all paths and of each length.
+struct SeedTally {
+  std::uint64_t samples = 0;
+  std::vector<Sum> sum, squares;  // by vertices - 2
+  Sum total, total_squares;
+
+  explicit SeedTally(int max_vertices)
+      : sum(static_cast<std::size_t>(max_vertices) - 1), squares(sum.size()) {}
+  void merge(const SeedTally& other) {
+    samples += other.samples;
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      sum[k] += other.sum[k];
+      squares[k] += other.squares[k];
+    }
+    total += other.total;
+    total_squares += other.total_squares;
+  }
+  double mean() const { return samples > 0 ? total.value() / static_cast<double>(samples) : 0; }
+  // (Σ x)² / Σ x²: how many samples carry the estimate.
+  double effective_samples() const {
+    const double squared = total_squares.value();
+    return squared > 0 ? total.value() * total.value() / squared : 0;
+  }
+};
+
+// One group's slice of the seed pass, for a number of chains.
+template <class Space> class SeedSlice {
+ public:
+  using W = typename Space::Universe;
+
+  SeedSlice(const Space& space, std::uint64_t seed, int group, int chains)
+      : sampler_(space, all_techniques, Heuristic::balance),
+        samples_(seed, Purpose::seed_pass, static_cast<std::uint32_t>(group)),
+        resample_(seed, Purpose::resample, static_cast<std::uint32_t>(group)),
+        seeds_(static_cast<std::size_t>(chains)),
+        tally_(space.max_vertices()),
+        by_length_(tally_.sum.size()) {}
+
+  void run(std::uint64_t count) {
+    for (std::uint64_t i = 0; i < count; ++i) add_sample();
+  }
+
+  const SeedTally& tally() const { return tally_; }
+  bool found_light() const { return tally_.total.value() > 0; }
+  const Seed& seed(int chain) const { return seeds_[static_cast<std::size_t>(chain)]; }
+
+  // The path of a seed, whose weight must come out as it was, bit for bit.
+  Path<W> replay(const Seed& seed, int max_vertices) {
+    Path<W> path(max_vertices);
+    bool found = false;
+    samples_.start(seed.sample);
+    sampler_.sample(samples_, [&](const Path<W>& x, int s, double weight) {
+      if (found || x.size() != seed.vertices || s != seed.technique || weight != seed.weight) return;
+      path = x;
+      found = true;
+    });
+    if (!found) throw SeedReplayError("a seed path could not be replayed from its random numbers");
+    return path;
+  }
+
+ private:
+  void add_sample() {
+    const std::uint64_t index = tally_.samples++;
+    samples_.start(index);
+    resample_.start(index);
+    double total = 0;
+    sampler_.sample(samples_, [&](const Path<W>& x, int s, double weight) {
+      total += weight;
+      by_length_[static_cast<std::size_t>(x.size()) - 2] += weight;
+      tally_.total += weight;
+      offer({index, x.size(), s, weight});
+    });
+    if (total == 0) return;
+    tally_.total_squares += total * total;
+    for (std::size_t k = 0; k < by_length_.size(); ++k) {
+      if (by_length_[k] == 0) continue;
+      tally_.sum[k] += by_length_[k];
+      tally_.squares[k] += by_length_[k] * by_length_[k];
+      by_length_[k] = 0;
+    }
+  }
+
+  // Each chain's seed is replaced with probability weight / Σ weights so far [Chao 1982].
+  void offer(const Seed& candidate) {
+    const double share = candidate.weight / tally_.total.value();
+    for (Seed& seed : seeds_)
+      if (resample_.uniform() < share) seed = candidate;
+  }
+
+  PathSampler<Space> sampler_;
+  Rng samples_, resample_;
+  std::vector<Seed> seeds_;
+  SeedTally tally_;
+  std::vector<double> by_length_;  // of the sample under way
+};
+
+}  // namespace wander

@@ -1,0 +1,164 @@
+// The bidirectional mutation [Veach and Guibas 1997, 5.3.1; Veach 1997, 11.4.1].
+//
+// Keeps L vertices at the light's end and M at the sensor's, deletes the d between them, samples
+// l' + m' = a new ones from the two kept ends and connects.  The label (L, M, a) is part of the
+// transition, the split (l', m') is not: the density sums over every split that makes the same path,
+//   T(x→y) = p_delete(L, M | n) p_add(a | d) Σ_{l'} p_split(l' | a) Π_{i new} from_light_i or from_sensor_i.
+// The way back keeps the same ends, deletes a and adds d.  Measure: area product.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "core/techniques.h"
+#include "mlt/join.h"
+#include "mlt/mutation.h"
+
+namespace wander {
+
+struct Bidirectional {
+  static constexpr std::string_view name = "bidirectional";
+  // No more vertices than this are deleted or added at once.
+  static constexpr int most_replaced = 16;
+
+  struct Kept {
+    int light, sensor;  // L, M
+  };
+
+  template <class Space>
+  double applicability(const Space&, const Path<typename Space::Universe>&) const {
+    return 1;
+  }
+
+  template <class Space, class Random>
+  Proposed propose(const Space& space, const Path<typename Space::Universe>& x,
+                   Path<typename Space::Universe>& y, Random& random) const {
+    const int n = x.size();
+    const LengthPmf deletion = deletion_pmf(n);
+    const int d = random.choose(deletion.span());
+    const int first = d == 0 ? 1 : 0;
+    const int light = first + random.choose(placements(n, d));
+    const Kept kept{light, n - d - light};
+    if (split_count(space, x, kept, d) == 0) return Failure{Reason::not_reversible};
+
+    const int longest = space.max_vertices();
+    const int a = random.choose(addition_pmf(kept, d, longest).span());
+    const SplitRange splits = split_range(space, x, kept, a);
+    if (splits.count() == 0) return Failure{Reason::changed_class};
+    const int l = splits.first + random.choose(splits.count());
+
+    const Reason flaw = build(space, x, y, kept, a, l, random);
+    if (flaw != Reason::none) return Failure{flaw};
+    return Proposal{
+        Scaled(delete_probability(n, d) * add_probability(kept, d, a, longest)) *
+            added_density(space, y, kept, a),
+        Scaled(delete_probability(n - d + a, a) * add_probability(kept, a, d, longest)) *
+            added_density(space, x, kept, d)};
+  }
+
+  // ---- the discrete choices ----------------------------------------------------------------------
+
+  // A pmf over how many vertices are deleted or added.
+  struct LengthPmf {
+    std::array<double, most_replaced + 1> p{};
+    std::span<const double> span() const { return p; }
+    double operator[](int k) const { return k <= most_replaced ? p[static_cast<std::size_t>(k)] : 0; }
+    void normalize() {
+      double total = 0;
+      for (const double q : p) total += q;
+      for (double& q : p) q /= total;
+    }
+  };
+
+  // How many positions the deletion of d out of n vertices can have.  Deleting none needs an edge,
+  // with a vertex kept on either side.
+  static int placements(int n, int d) { return d == 0 ? n - 1 : n - d + 1; }
+
+  // Veach's choice, counted in vertices: 1/4 for none, 1/2 for one, then halving.
+  static LengthPmf deletion_pmf(int n) {
+    LengthPmf pmf;
+    for (int d = 0; d <= std::min(n, most_replaced); ++d)
+      pmf.p[static_cast<std::size_t>(d)] = d == 0 ? 0.25 : std::ldexp(1.0, -d);
+    pmf.normalize();
+    return pmf;
+  }
+  // Veach's choice: 1/2 for as many as were deleted, 0.15 for one more or less, then 0.2 / 2^j.
+  static LengthPmf addition_pmf(Kept kept, int deleted, int longest) {
+    const int least = (kept.light == 0 ? 1 : 0) + (kept.sensor == 0 ? 1 : 0);
+    const int most = std::min(most_replaced, longest - kept.light - kept.sensor);
+    LengthPmf pmf;
+    for (int a = least; a <= most; ++a) {
+      const int j = std::abs(a - deleted);
+      pmf.p[static_cast<std::size_t>(a)] = j == 0 ? 0.5 : j == 1 ? 0.15 : std::ldexp(0.2, -j);
+    }
+    pmf.normalize();
+    return pmf;
+  }
+  static double delete_probability(int n, int d) { return deletion_pmf(n)[d] / placements(n, d); }
+  static double add_probability(Kept kept, int deleted, int added, int longest) {
+    return addition_pmf(kept, deleted, longest)[added];
+  }
+
+  // The splits l' = first … last of `added` new vertices that the kept ends allow: an end whose
+  // direction is specular must grow before it can be connected.
+  struct SplitRange {
+    int first, last;
+    int count() const { return std::max(0, last - first + 1); }
+  };
+  template <class Space>
+  static SplitRange split_range(const Space& space, const Path<typename Space::Universe>& x, Kept kept,
+                                int added) {
+    const bool light_may_stay = kept.light == 0 || space.can_connect(x[kept.light - 1]);
+    const bool sensor_may_stay = kept.sensor == 0 ? space.sensor_can_be_hit()
+                                                  : space.can_connect(x[x.size() - kept.sensor]);
+    return {light_may_stay ? 0 : 1, sensor_may_stay ? added : added - 1};
+  }
+  template <class Space>
+  static int split_count(const Space& space, const Path<typename Space::Universe>& x, Kept kept,
+                         int added) {
+    return split_range(space, x, kept, added).count();
+  }
+
+  // ---- the new vertices --------------------------------------------------------------------------
+
+  // Σ over splits of p_split Π densities of the vertices between the kept ends of z.
+  template <class Space>
+  static Scaled added_density(const Space& space, const Path<typename Space::Universe>& z, Kept kept,
+                              int added) {
+    const SplitRange splits = split_range(space, z, kept, added);
+    Scaled sum;
+    for (int l = splits.first; l <= splits.last; ++l) {
+      const int s = kept.light + l;
+      if (!can_sample(space, z, s, all_techniques)) continue;
+      Scaled p = 1;
+      for (int i = kept.light; i < kept.light + added; ++i)
+        p *= double(i < s ? z[i].from_light : z[i].from_sensor);
+      sum += p;
+    }
+    return sum / Scaled(splits.count());
+  }
+
+  // Writes y: the kept vertices of x, l new ones from the light's end, a - l from the sensor's; and
+  // measures every vertex that has a new neighbour.
+  template <class Space, class Random>
+  static Reason build(const Space& space, const Path<typename Space::Universe>& x,
+                      Path<typename Space::Universe>& y, Kept kept, int a, int l, Random& random) {
+    const int n = kept.light + a + kept.sensor, s = kept.light + l;
+    y.resize(n);
+    y.copy(x, 0, kept.light, 0);
+    y.copy(x, x.size() - kept.sensor, kept.sensor, n - kept.sensor);
+    if (s > 0 && kept.light == 0) space.begin_light(y, 0, random);
+    for (int i = std::max(kept.light, 1); i < s; ++i)
+      if (!space.extend(y, i - 1, Toward::sensor, random)) return Reason::missed_scene;
+    if (s < n && kept.sensor == 0) space.begin_sensor(y, n - 1, random);
+    for (int i = n - 1 - std::max(kept.sensor, 1); i >= s; --i)
+      if (!space.extend(y, i + 1, Toward::light, random)) return Reason::missed_scene;
+    const Reason flaw = join(space, y, s);
+    if (flaw != Reason::none) return flaw;
+    return evaluate(space, y, std::max(0, kept.light - 1), std::min(n - 1, kept.light + a));
+  }
+};
+
+}  // namespace wander

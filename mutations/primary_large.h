@@ -1,0 +1,60 @@
+// The large step: a path that owes nothing to the present one.  Length, technique and random numbers
+// are fresh: n with a fixed pmf q, s uniform among the techniques of that length.
+//
+//   T(x→y) = q(n_y) / |techniques(n_y)| Σ_s p_s(y),  a = min(1, [f / T](y) / [f / T](x)).
+// The sum over techniques is the density whichever of them made y.  It changes lengths and makes any
+// mixture ergodic.  Measure: area product.
+#pragma once
+
+#include <vector>
+
+#include "core/techniques.h"
+#include "mlt/join.h"
+#include "mlt/mutation.h"
+
+namespace wander {
+
+struct PrimaryLarge {
+  static constexpr std::string_view name = "primary_large";
+  std::vector<double> length_pmf;  // q(n) at n - 2; sums to 1
+
+  explicit PrimaryLarge(int max_vertices)
+      : length_pmf(static_cast<std::size_t>(max_vertices) - 1, 1.0 / (max_vertices - 1)) {}
+
+  template <class Space>
+  double applicability(const Space&, const Path<typename Space::Universe>&) const {
+    return 1;
+  }
+
+  template <class Space, class Random>
+  Proposed propose(const Space& space, const Path<typename Space::Universe>& x,
+                   Path<typename Space::Universe>& y, Random& random) const {
+    const int n = 2 + random.choose(length_pmf);
+    const int s = random.choose(technique_count(space, n));
+    y.resize(n);
+    if (s > 0) space.begin_light(y, 0, random);
+    for (int i = 0; i + 1 < s; ++i)
+      if (!space.extend(y, i, Toward::sensor, random)) return Failure{Reason::missed_scene};
+    if (s < n) space.begin_sensor(y, n - 1, random);
+    for (int i = n - 1; i > s; --i)
+      if (!space.extend(y, i, Toward::light, random)) return Failure{Reason::missed_scene};
+    Reason flaw = join(space, y, s);
+    if (flaw == Reason::none) flaw = evaluate(space, y, 0, n - 1);
+    if (flaw != Reason::none) return Failure{flaw};
+    measure(space, y);
+    return Proposal{density(space, y), density(space, x)};
+  }
+
+ private:
+  // s = 0 … n - 1, and n where the sensor can be hit.
+  template <class Space> static int technique_count(const Space& space, int n) {
+    return space.sensor_can_be_hit() ? n + 1 : n;
+  }
+  template <class Space>
+  Scaled density(const Space& space, const Path<typename Space::Universe>& z) const {
+    const double q = length_pmf[static_cast<std::size_t>(z.size()) - 2];
+    return Scaled(q / technique_count(space, z.size())) * z.intensity;
+  }
+};
+
+}  // namespace wander

@@ -1,0 +1,42 @@
+#include "tools/methods.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/build_scene.h"
+#include "core/estimate.h"
+#include "mlt/render.h"
+
+namespace wander {
+
+namespace {
+
+constexpr std::array<std::string_view, 6> names{"pt", "lt", "bdpt", "mlt", "pt-naive", "lt-naive"};
+
+void warn_if_dark(Rendering& rendering) {
+  const auto& value = rendering.film.value;
+  if (std::ranges::any_of(value, [](double v) { return v > 0; })) return;
+  rendering.warnings.push_back(
+      "no light path was found, so the film is zero; look for walls without a gap, a light or "
+      "sensor that faces away, or a max_vertices that is too small");
+}
+
+}  // namespace
+
+std::span<const std::string_view> method_names() { return names; }
+
+Rendering render(const description::Scene& description, std::string_view method,
+                 const MutationWeights& weights, const Session& session) {
+  const auto scene = build_flatland(description);
+  for (const Estimator& estimator : estimators()) {
+    if (method != estimator.name) continue;
+    Rendering rendering = estimate(*scene, estimator, session);
+    warn_if_dark(rendering);
+    return rendering;
+  }
+  const Transport<Flatland> transport(*scene, Roulette::off);
+  const Family family = make_family(weights, scene->max_vertices());
+  return ChainRenderer(transport, family, session, ChainSettings{}).render("mlt");
+}
+
+}  // namespace wander
