@@ -46,6 +46,9 @@ class Rng {
     return numbers_[--left_];
   }
 
+  // One of `count` indices, each with the same probability.
+  int choose(int count) { return static_cast<int>(uniform() * count); }
+
   // Index i with probability pmf[i]; the pmf sums to 1.  Entries of probability zero never occur.
   int choose(std::span<const double> pmf) {
     double u = uniform();

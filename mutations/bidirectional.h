@@ -22,6 +22,8 @@ struct Bidirectional {
   static constexpr std::string_view name = "bidirectional";
   // No more vertices than this are deleted or added at once.
   static constexpr int most_replaced = 16;
+  // Probability that what is deleted lies at the sensor's end.
+  static constexpr double sensor_end = 0.5;
 
   struct Kept {
     int light, sensor;  // L, M
@@ -38,9 +40,7 @@ struct Bidirectional {
     const int n = x.size();
     const LengthPmf deletion = deletion_pmf(n);
     const int d = random.choose(deletion.span());
-    const int first = d == 0 ? 1 : 0;
-    const int light = first + random.choose(placements(n, d));
-    const Kept kept{light, n - d - light};
+    const Kept kept = choose_kept(n, d, random);
     if (split_count(space, x, kept, d) == 0) return Failure{Reason::not_reversible};
 
     const int longest = space.max_vertices();
@@ -52,9 +52,9 @@ struct Bidirectional {
     const Reason flaw = build(space, x, y, kept, a, l, random);
     if (flaw != Reason::none) return Failure{flaw};
     return Proposal{
-        Scaled(delete_probability(n, d) * add_probability(kept, d, a, longest)) *
+        Scaled(delete_probability(n, d, kept) * add_probability(kept, d, a, longest)) *
             added_density(space, y, kept, a),
-        Scaled(delete_probability(n - d + a, a) * add_probability(kept, a, d, longest)) *
+        Scaled(delete_probability(n - d + a, a, kept) * add_probability(kept, a, d, longest)) *
             added_density(space, x, kept, d)};
   }
 
@@ -72,9 +72,23 @@ struct Bidirectional {
     }
   };
 
-  // How many positions the deletion of d out of n vertices can have.  Deleting none needs an edge,
-  // with a vertex kept on either side.
-  static int placements(int n, int d) { return d == 0 ? n - 1 : n - d + 1; }
+  // Where d of n vertices are deleted.  Deleting none needs an edge, with a vertex kept on either
+  // side.  Otherwise the sensor's end, where the film is, is as likely as all other places together.
+  static double placement_probability(int n, int d, Kept kept) {
+    if (d == 0) return 1.0 / (n - 1);
+    if (d == n) return 1;
+    return kept.sensor == 0 ? sensor_end : (1 - sensor_end) / (n - d);
+  }
+  template <class Random> static Kept choose_kept(int n, int d, Random& random) {
+    if (d == n) return {0, 0};
+    if (d == 0) {
+      const int light = 1 + random.choose(n - 1);
+      return {light, n - light};
+    }
+    const std::array<double, 2> at_end{1 - sensor_end, sensor_end};
+    const int light = random.choose(at_end) == 1 ? n - d : random.choose(n - d);
+    return {light, n - d - light};
+  }
 
   // Veach's choice, counted in vertices: 1/4 for none, 1/2 for one, then halving.
   static LengthPmf deletion_pmf(int n) {
@@ -96,7 +110,9 @@ struct Bidirectional {
     pmf.normalize();
     return pmf;
   }
-  static double delete_probability(int n, int d) { return deletion_pmf(n)[d] / placements(n, d); }
+  static double delete_probability(int n, int d, Kept kept) {
+    return deletion_pmf(n)[d] * placement_probability(n, d, kept);
+  }
   static double add_probability(Kept kept, int deleted, int added, int longest) {
     return addition_pmf(kept, deleted, longest)[added];
   }
