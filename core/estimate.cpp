@@ -74,8 +74,8 @@ Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Sess
     Rng rng(session.seed, Purpose::estimate, 0);
     for (std::uint64_t i = 0; i < count_of(unit); ++i) {
       rng.start(unit * per_unit + i);
-      slot.sampler.sample(rng, [&](const Path<W>& path, int, double weighted) {
-        slot.film.add(path.size(), transport.bin(path), weighted);
+      slot.sampler.sample(rng, [&](const Path<W>& path, int s, double weighted) {
+        slot.film.add(path.size(), s, transport.bin(path), weighted);
       });
       slot.film.end_sample();
     }

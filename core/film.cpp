@@ -34,19 +34,48 @@ std::map<int, std::vector<double>> LengthFilms::scaled(double factor) const {
   return films;
 }
 
+TechniqueTally::TechniqueTally(int max_vertices)
+    : longest_(std::min(max_vertices, 64)),
+      sums_(static_cast<std::size_t>(longest_ + 1) * static_cast<std::size_t>(longest_ + 1)) {}
+
+void TechniqueTally::add(int vertices, int technique, double contribution) {
+  const int index = std::min(vertices, longest_) * (longest_ + 1) + std::min(technique, longest_);
+  Sums& sums = sums_[static_cast<std::size_t>(index)];
+  sums.sum += contribution;
+  sums.squares += contribution * contribution;
+}
+
+void TechniqueTally::merge(const TechniqueTally& other) {
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    sums_[i].sum += other.sums_[i].sum;
+    sums_[i].squares += other.sums_[i].squares;
+  }
+}
+
+void TechniqueTally::clear() { std::ranges::fill(sums_, Sums{}); }
+
+double TechniqueTally::rare_light(double effective_samples) const {
+  double light = 0;
+  for (const Sums& sums : sums_)
+    if (sums.sum * sums.sum < effective_samples * sums.squares) light += sums.sum;
+  return light;
+}
+
 SampleFilm::SampleFilm(int bins, int max_vertices)
     : sum_(static_cast<std::size_t>(bins)),
       squares_(static_cast<std::size_t>(bins)),
       current_(static_cast<std::size_t>(bins)),
-      lengths_(bins, max_vertices) {
+      lengths_(bins, max_vertices),
+      techniques_(max_vertices) {
   touched_.reserve(static_cast<std::size_t>(std::min(bins, 1 << 16)));
 }
 
-void SampleFilm::add(int vertices, int bin, double contribution) {
+void SampleFilm::add(int vertices, int technique, int bin, double contribution) {
   double& x = current_[static_cast<std::size_t>(bin)];
   if (x == 0) touched_.push_back(bin);
   x += contribution;
   lengths_.add(vertices, bin, contribution);
+  techniques_.add(vertices, technique, contribution);
 }
 
 void SampleFilm::end_sample() {
@@ -66,6 +95,7 @@ void SampleFilm::merge(const SampleFilm& other) {
     squares_[i] += other.squares_[i];
   }
   lengths_.merge(other.lengths_);
+  techniques_.merge(other.techniques_);
   samples_ += other.samples_;
 }
 
@@ -73,6 +103,7 @@ void SampleFilm::clear() {
   std::ranges::fill(sum_, Sum{});
   std::ranges::fill(squares_, Sum{});
   lengths_.clear();
+  techniques_.clear();
   samples_ = 0;
 }
 
@@ -81,13 +112,16 @@ FilmEstimate SampleFilm::estimate(std::span<const int> resolution) const {
   FilmEstimate film{.shape = {resolution.begin(), resolution.end()}};
   const double n = static_cast<double>(samples_), bins = static_cast<double>(sum_.size());
   film.degrees_of_freedom = std::max(0.0, n - 1);
+  // Σ of rare light that a bin would have, were it spread evenly.
+  const double rare = techniques_.rare_light(fewest_technique_samples * bins) / bins;
   for (std::size_t i = 0; i < sum_.size(); ++i) {
     const double sum = sum_[i].value(), squares = squares_[i].value();
     const double variance = std::max(0.0, squares - sum * sum / n) / (n - 1);
     film.value.push_back(samples_ > 0 ? bins * sum / n : 0);
     film.standard_error.push_back(samples_ > 1 ? bins * std::sqrt(variance / n)
                                                : std::numeric_limits<double>::quiet_NaN());
-    film.reliable.push_back(sum * sum >= fewest_effective_samples * squares && squares > 0);
+    film.reliable.push_back(squares > 0 && sum * sum >= fewest_effective_samples * squares &&
+                            rare <= most_rare_light * std::sqrt(variance * n));
   }
   film.by_length = lengths_.scaled(samples_ > 0 ? bins / n : 0);
   return film;

@@ -18,6 +18,12 @@ namespace wander {
 // it: then no few samples dominate it, and its t-interval holds what it promises.
 inline constexpr double fewest_effective_samples = 100;
 
+// What a bin has not seen is no part of its error bar.  Techniques (n, s) that are seen less than
+// this often per bin, in effective samples, are rare; they may not carry more than this many
+// standard errors of a bin, or else the bin is not reliable.
+inline constexpr double fewest_technique_samples = 25;
+inline constexpr double most_rare_light = 0.25;
+
 // Films by path length are kept up to this many numbers.
 inline constexpr std::int64_t most_length_values = std::int64_t{1} << 24;
 
@@ -41,12 +47,32 @@ class LengthFilms {
   std::vector<std::vector<Sum>> films_;  // by number of vertices - 2; empty until one contributes
 };
 
+// Film-wide sums of contributions by technique (n, s).
+class TechniqueTally {
+ public:
+  explicit TechniqueTally(int max_vertices);
+
+  void add(int vertices, int technique, double contribution);
+  void merge(const TechniqueTally& other);
+  void clear();
+  // Σ of the contributions of all techniques that have fewer effective samples than this.
+  double rare_light(double effective_samples) const;
+
+ private:
+  struct Sums {
+    double sum = 0, squares = 0;
+  };
+  int longest_;  // longer paths share the last entry
+  std::vector<Sums> sums_;
+};
+
 // Contributions of independent samples, per bin: Σ x and Σ x² over samples.
 class SampleFilm {
  public:
   SampleFilm(int bins, int max_vertices);
 
-  void add(int vertices, int bin, double contribution);  // to the sample that is under way
+  // To the sample that is under way: a path of `vertices`, by technique s = `technique`.
+  void add(int vertices, int technique, int bin, double contribution);
   void end_sample();
   void merge(const SampleFilm& other);
   void clear();
@@ -59,6 +85,7 @@ class SampleFilm {
   std::vector<double> current_;  // of the sample under way; zero outside `touched_`
   std::vector<int> touched_;
   LengthFilms lengths_;
+  TechniqueTally techniques_;
   std::uint64_t samples_ = 0;
 };
 

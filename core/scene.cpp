@@ -60,6 +60,10 @@ template <World W> int Scene<W>::bin(typename W::Square film) const {
   return index;
 }
 
+template <World W> bool Scene<W>::has_specular() const {
+  return std::ranges::any_of(surfaces_, &Surface<W>::is_specular);
+}
+
 template <World W> auto Scene<W>::sensor_measure() const -> Length {
   return measure<W>(shape(sensor_));
 }

@@ -62,6 +62,8 @@ template <World W> class Scene {
   std::span<const ShapeId> lights() const { return lights_; }
   std::span<const double> light_pmf() const { return light_pmf_; }
 
+  bool has_specular() const;
+
   // Exactly one of the two: a sensor is a surface or a camera.
   ShapeId sensor() const { return sensor_; }
   const std::optional<Camera<W>>& camera() const { return camera_; }

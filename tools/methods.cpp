@@ -21,6 +21,14 @@ void warn_if_dark(Rendering& rendering) {
       "sensor that faces away, or a max_vertices that is too small");
 }
 
+// Light tracing reaches a camera by connections alone.
+void warn_if_blind(Rendering& rendering, const Scene<Flatland>& scene) {
+  if (rendering.method != "lt" || !scene.camera() || !scene.has_specular()) return;
+  rendering.warnings.push_back(
+      "light tracing cannot find paths that reach the camera from a mirror or from smooth glass, so "
+      "their light is missing from this film; use pt, bdpt or mlt");
+}
+
 }  // namespace
 
 std::span<const std::string_view> method_names() { return names; }
@@ -32,6 +40,7 @@ Rendering render(const description::Scene& description, std::string_view method,
     if (method != estimator.name) continue;
     Rendering rendering = estimate(*scene, estimator, session);
     warn_if_dark(rendering);
+    warn_if_blind(rendering, *scene);
     return rendering;
   }
   const Transport<Flatland> transport(*scene, Roulette::off);

@@ -1,0 +1,20 @@
+#include <valijson/adapters/nlohmann_json_adapter.hpp>
+#include <valijson/schema.hpp>
+#include <valijson/schema_parser.hpp>
+#include <valijson/validator.hpp>
+
+#include "core/json_schema.h"
+
+namespace wander {
+
+bool conforms(const JsonDocument& document, const char* schema_text) {
+  using valijson::adapters::NlohmannJsonAdapter;
+  const auto schema_json = nlohmann::json::parse(schema_text);
+  valijson::Schema schema;
+  valijson::SchemaParser().populateSchema(NlohmannJsonAdapter(schema_json), schema);
+  // valijson knows no ordered_json.  Without a list of results it stops at the first fault.
+  const nlohmann::json target(*document.root().value);
+  return valijson::Validator().validate(schema, NlohmannJsonAdapter(target), nullptr);
+}
+
+}  // namespace wander

@@ -1,0 +1,40 @@
+// Files that appear whole or not at all: the bytes go to a temporary file in the same directory,
+// every write is checked, the file is synced and then renamed into place.  A failure removes the
+// temporary file and leaves what was there before as it was.
+#pragma once
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace wander {
+
+// what() = "cannot write PATH: No space left on device"
+class OutputError : public std::runtime_error {
+ public:
+  OutputError(const std::string& place, int error_number);
+};
+
+// A file that is on the disk, complete and synced, but does not yet bear its name.  Stage all files
+// of one output before the first is committed: a full disk is then found while nothing has changed.
+class StagedFile {
+ public:
+  StagedFile(const std::filesystem::path& path, std::string_view bytes);
+  ~StagedFile();
+  StagedFile(StagedFile&& other) noexcept;
+  StagedFile& operator=(StagedFile&&) = delete;
+
+  void commit();
+
+ private:
+  std::filesystem::path path_, temporary_;  // an empty `temporary_`: nothing is left to do
+};
+
+// A pipe or device (`/dev/stdout`) is written in place, for it must not be replaced by a file.
+void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+// Writes all bytes to an open descriptor; `place` is named in the error.
+void write_to_descriptor(int descriptor, std::string_view bytes, const std::string& place);
+
+}  // namespace wander

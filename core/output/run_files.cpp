@@ -1,0 +1,34 @@
+#include "core/output/run_files.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/output/atomic_file.h"
+#include "core/output/csv.h"
+#include "core/output/exr.h"
+#include "core/output/run_json.h"
+
+namespace wander {
+
+void write_run(const RunRecord& run, const description::Scene& scene,
+               const std::filesystem::path& directory) {
+  std::vector<StagedFile> files;
+  files.emplace_back(directory / "film.exr", to_exr(run));
+  if (run.rendering.film.shape.size() == 1)
+    files.emplace_back(directory / "film.csv", to_csv(run.rendering.film, bin_centers(scene)));
+  files.emplace_back(directory / "run.json", to_json(run).dump(1) + "\n");
+  for (StagedFile& file : files) file.commit();
+}
+
+bool holds_run(const std::filesystem::path& directory) {
+  // The schema is the first entry of the document.
+  std::string beginning(64, '\0');
+  std::ifstream file(directory / "run.json", std::ios::binary);
+  file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  const std::size_t schema = beginning.find("\"schema\"");
+  return schema != std::string::npos && beginning.find(run_schema, schema) != std::string::npos;
+}
+
+}  // namespace wander

@@ -1,0 +1,229 @@
+#include "core/output/run_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "core/output/exr.h"
+
+namespace wander {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json json_of(double x) {
+  return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
+}
+
+ordered_json json_of(const std::vector<double>& values) {
+  ordered_json array = ordered_json::array();
+  for (const double value : values) array.push_back(json_of(value));
+  return array;
+}
+
+ordered_json json_of(const Estimate& estimate) {
+  return {{"value", json_of(estimate.value)}, {"standard_error", json_of(estimate.standard_error)}};
+}
+
+ordered_json json_of(const FilmEstimate& film, int dimension) {
+  ordered_json json{{"shape", film.shape}};
+  if (dimension == 2) {  // an image is in the EXR
+    json["value"] = json_of(film.value);
+    json["standard_error"] = json_of(film.standard_error);
+    json["reliable"] = film.reliable;
+  }
+  json["degrees_of_freedom"] = json_of(film.degrees_of_freedom);
+  return json;
+}
+
+ordered_json json_of(const Normalization& normalization) {
+  ordered_json json = json_of(static_cast<const Estimate&>(normalization));
+  json["method"] = normalization.method;
+  json["estimates"] = ordered_json::object();
+  for (const auto& [name, estimate] : normalization.estimates) {
+    ordered_json& entry = json["estimates"][name];
+    entry = json_of(static_cast<const Estimate&>(estimate));
+    entry["samples"] = estimate.samples;
+  }
+  json["by_length"] = ordered_json::array();
+  for (const LengthShare& share : normalization.by_length)
+    json["by_length"].push_back({{"vertices", share.vertices},
+                                 {"value", json_of(share.value)},
+                                 {"standard_error", json_of(share.standard_error)}});
+  return json;
+}
+
+ordered_json json_of(const std::vector<MutationRecord>& mutations) {
+  ordered_json json = ordered_json::object();
+  for (const MutationRecord& mutation : mutations)
+    json[mutation.name] = {{"proposed", mutation.proposed},
+                           {"accepted", mutation.accepted},
+                           {"mean_acceptance", json_of(mutation.mean_acceptance)},
+                           {"failures", mutation.failures}};
+  return json;
+}
+
+// ---- and back
+
+double number_from(const ordered_json& json) {
+  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+}
+
+std::vector<double> numbers_from(const ordered_json& json) {
+  std::vector<double> values;
+  for (const ordered_json& value : json) values.push_back(number_from(value));
+  return values;
+}
+
+template <class E>
+E estimate_from(const ordered_json& json) {
+  E estimate;
+  estimate.value = number_from(json.at("value"));
+  estimate.standard_error = number_from(json.at("standard_error"));
+  return estimate;
+}
+
+FilmEstimate film_from(const ordered_json& json) {
+  FilmEstimate film;
+  film.shape = json.at("shape").get<std::vector<int>>();
+  film.value = numbers_from(json.value("value", ordered_json::array()));
+  film.standard_error = numbers_from(json.value("standard_error", ordered_json::array()));
+  film.reliable = json.value("reliable", std::vector<bool>{});
+  film.degrees_of_freedom = number_from(json.at("degrees_of_freedom"));
+  if (film.standard_error.size() != film.value.size() || film.reliable.size() != film.value.size())
+    throw std::runtime_error("the film's lists differ in length");
+  return film;
+}
+
+Normalization normalization_from(const ordered_json& json) {
+  auto normalization = estimate_from<Normalization>(json);
+  normalization.method = json.at("method");
+  for (const auto& [name, entry] : json.at("estimates").items()) {
+    auto estimate = estimate_from<NormalizationEstimate>(entry);
+    estimate.samples = entry.at("samples");
+    normalization.estimates[name] = estimate;
+  }
+  for (const ordered_json& entry : json.at("by_length")) {
+    auto share = estimate_from<LengthShare>(entry);
+    share.vertices = entry.at("vertices");
+    normalization.by_length.push_back(share);
+  }
+  return normalization;
+}
+
+std::vector<MutationRecord> mutations_from(const ordered_json& json) {
+  std::vector<MutationRecord> mutations;
+  for (const auto& [name, entry] : json.items()) {
+    MutationRecord mutation;
+    mutation.name = name;
+    mutation.proposed = entry.at("proposed");
+    mutation.accepted = entry.at("accepted");
+    mutation.mean_acceptance = number_from(entry.at("mean_acceptance"));
+    mutation.failures = entry.at("failures").get<decltype(mutation.failures)>();
+    mutations.push_back(std::move(mutation));
+  }
+  return mutations;
+}
+
+Rendering rendering_from(const ordered_json& json) {
+  Rendering rendering;
+  rendering.complete = json.at("complete");
+  rendering.method = json.at("method");
+  rendering.samples = json.at("samples");
+  rendering.seed = json.at("seed");
+  rendering.threads = json.at("threads");
+  rendering.seconds = number_from(json.at("seconds"));
+  rendering.seed_seconds = number_from(json.at("seed_seconds"));
+  rendering.precision = json.at("precision");
+  rendering.film = film_from(json.at("film"));
+  if (json.contains("normalization"))
+    rendering.normalization = normalization_from(json["normalization"]);
+  if (json.contains("chains")) {
+    rendering.chains = json["chains"].at("count");
+    rendering.groups = json["chains"].at("groups");
+  }
+  if (json.contains("mutations")) rendering.mutations = mutations_from(json["mutations"]);
+  rendering.warnings = json.at("warnings").get<std::vector<std::string>>();
+  return rendering;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw RunFileError(fmt::format("{}: cannot be read", path.string()));
+  return text;
+}
+
+bool is_exr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01"); }
+
+}  // namespace
+
+ordered_json to_json(const RunRecord& run) {
+  const Rendering& rendering = run.rendering;
+  const Provenance& provenance = run.provenance;
+  ordered_json json{{"schema", run_schema},
+                    {"complete", rendering.complete},
+                    {"scene",
+                     {{"name", provenance.scene_name},
+                      {"sha256", provenance.scene_sha256},
+                      {"text", provenance.scene_text}}},
+                    {"dimension", provenance.dimension},
+                    {"method", rendering.method},
+                    {"samples", rendering.samples},
+                    {"seed", rendering.seed},
+                    {"threads", rendering.threads},
+                    {"seconds", json_of(rendering.seconds)},
+                    {"seed_seconds", json_of(rendering.seed_seconds)},
+                    {"precision", rendering.precision},
+                    {"film", json_of(rendering.film, provenance.dimension)}};
+  if (rendering.normalization) json["normalization"] = json_of(*rendering.normalization);
+  if (rendering.chains > 0)
+    json["chains"] = {{"count", rendering.chains}, {"groups", rendering.groups}};
+  if (!rendering.mutations.empty()) json["mutations"] = json_of(rendering.mutations);
+  json["command_line"] = provenance.command_line;
+  json["version"] = provenance.version;
+  json["warnings"] = rendering.warnings;
+  return json;
+}
+
+RunRecord run_from_json(const ordered_json& document, const std::string& place) {
+  try {
+    if (document.at("schema") != run_schema) throw std::runtime_error("its schema is another");
+    const ordered_json& scene = document.at("scene");
+    const Provenance provenance{scene.at("name"),
+                                scene.at("text"),
+                                scene.at("sha256"),
+                                document.at("dimension"),
+                                document.at("command_line"),
+                                document.at("version")};
+    return {rendering_from(document), provenance};
+  } catch (const std::exception& problem) {
+    throw RunFileError(
+        fmt::format("{}: not a run of schema {}: {}", place, run_schema, problem.what()));
+  }
+}
+
+std::optional<RunRecord> find_run(const std::filesystem::path& path) {
+  std::error_code unreachable;
+  if (std::filesystem::is_directory(path, unreachable)) return find_run(path / "run.json");
+  if (!std::filesystem::is_regular_file(path, unreachable)) return std::nullopt;
+  const std::string text = read_text(path);
+  if (is_exr(text)) return read_exr(path);
+  const auto document = ordered_json::parse(text, nullptr, false);
+  if (!document.is_object() || document.value("schema", "") != run_schema) return std::nullopt;
+  return run_from_json(document, path.string());
+}
+
+RunRecord read_run(const std::filesystem::path& path) {
+  if (auto run = find_run(path)) return *std::move(run);
+  throw RunFileError(
+      fmt::format("{}: neither a run.json, a directory with one, nor a film.exr", path.string()));
+}
+
+}  // namespace wander

@@ -1,0 +1,27 @@
+// `run.json`, schema "wanderlight-run/1": the exact record of a run, and its way back.
+// Numbers that are not finite are null, and read back as NaN.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "core/output/run_record.h"
+
+namespace wander {
+
+inline constexpr const char* run_schema = "wanderlight-run/1";
+
+nlohmann::ordered_json to_json(const RunRecord& run);
+
+// A document that is not such a run throws RunFileError; `place` names it in the message.
+RunRecord run_from_json(const nlohmann::ordered_json& document, const std::string& place);
+
+// Reads run.json, the directory that holds it, or a film.exr; none if the file is something else.
+// Throws RunFileError if it is one of these but broken.
+std::optional<RunRecord> find_run(const std::filesystem::path& path);
+// The same where a run is required: RunFileError if there is none.
+RunRecord read_run(const std::filesystem::path& path);
+
+}  // namespace wander

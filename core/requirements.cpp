@@ -1,0 +1,107 @@
+#include "core/requirements.h"
+
+#include <algorithm>
+#include <set>
+#include <variant>
+
+namespace wander {
+
+namespace {
+
+using namespace description;
+
+struct MaterialType {
+  std::string operator()(const Black&) const { return "black"; }
+  std::string operator()(const Diffuse&) const { return "diffuse"; }
+  std::string operator()(const Mirror&) const { return "mirror"; }
+  std::string operator()(const Dielectric&) const { return "dielectric"; }
+  std::string operator()(const RoughConductor&) const { return "rough_conductor"; }
+  std::string operator()(const RoughDielectric&) const { return "rough_dielectric"; }
+};
+
+struct ShapeType {
+  std::string operator()(const Segment&) const { return "segment"; }
+  std::string operator()(const Polyline&) const { return "polyline"; }
+  std::string operator()(const Circle&) const { return "circle"; }
+  std::string operator()(const Arc&) const { return "arc"; }
+};
+
+bool is_zero(const Quantity& quantity) {
+  return std::all_of(quantity.channels.begin(), quantity.channels.end(),
+                     [](double channel) { return channel == 0; });
+}
+
+// A mirror that reflects nothing is black.
+bool is_specular(const MaterialKind& kind) {
+  if (const auto* mirror = std::get_if<Mirror>(&kind)) return !is_zero(mirror->reflectance);
+  return std::holds_alternative<Dielectric>(kind);
+}
+
+struct ScattersDiffusely {
+  bool operator()(const Black&) const { return false; }
+  bool operator()(const Diffuse& m) const { return !is_zero(m.reflectance); }
+  bool operator()(const Mirror&) const { return false; }
+  bool operator()(const Dielectric&) const { return false; }
+  bool operator()(const RoughConductor& m) const { return !is_zero(m.reflectance); }
+  bool operator()(const RoughDielectric&) const { return true; }
+};
+
+struct Coloured {
+  bool operator()(const Diffuse& m) const { return m.reflectance.coloured; }
+  bool operator()(const Mirror& m) const { return m.reflectance.coloured; }
+  bool operator()(const RoughConductor& m) const { return m.reflectance.coloured; }
+  bool operator()(const auto&) const { return false; }
+};
+
+// Materials that no shape wears are not part of the scene.
+std::vector<MaterialKind> materials_in_use(const Scene& scene) {
+  std::set<std::size_t> used;
+  for (const Shape& shape : scene.shapes)
+    if (shape.material) used.insert(*shape.material);
+  std::vector<MaterialKind> kinds;
+  for (const std::size_t index : used) kinds.push_back(scene.materials.at(index).kind);
+  return kinds;
+}
+
+// A caustic is light, focused by specular surfaces, that falls on a surface which is not: the
+// sensor itself (light, specular, sensor) or, seen by a camera, one that scatters (a vertex more).
+bool caustics_can_form(const Scene& scene, const std::vector<MaterialKind>& materials) {
+  if (std::none_of(materials.begin(), materials.end(), is_specular)) return false;
+  if (!scene.camera) return scene.max_vertices >= 3;
+  return scene.max_vertices >= 4 &&
+         std::any_of(materials.begin(), materials.end(), [](const MaterialKind& kind) {
+           return std::visit(ScattersDiffusely{}, kind);
+         });
+}
+
+bool is_coloured(const Scene& scene, const std::vector<MaterialKind>& materials) {
+  return std::any_of(materials.begin(), materials.end(),
+                     [](const MaterialKind& kind) { return std::visit(Coloured{}, kind); }) ||
+         std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) {
+           return shape.light && shape.light->radiance.coloured;
+         });
+}
+
+}  // namespace
+
+std::string type_of(const ShapeKind& kind) { return std::visit(ShapeType{}, kind); }
+
+Requirements requires_of(const Scene& scene, const std::vector<std::string>& known_mutations) {
+  const std::vector<MaterialKind> materials = materials_in_use(scene);
+  std::set<std::string> material_types, shape_types;
+  for (const MaterialKind& kind : materials)
+    material_types.insert(std::visit(MaterialType{}, kind));
+  for (const Shape& shape : scene.shapes) shape_types.insert(type_of(shape.kind));
+
+  Requirements requirements;
+  requirements.dimension = scene.dimension;
+  requirements.colour_channels = is_coloured(scene, materials) ? 3 : 1;
+  requirements.materials.assign(material_types.begin(), material_types.end());
+  requirements.shapes.assign(shape_types.begin(), shape_types.end());
+  requirements.specular = std::any_of(materials.begin(), materials.end(), is_specular);
+  requirements.caustic_paths_possible = caustics_can_form(scene, materials);
+  requirements.mutations = known_mutations;  // each of them works in every scene
+  return requirements;
+}
+
+}  // namespace wander

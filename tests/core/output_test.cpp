@@ -1,0 +1,412 @@
+// What a run leaves on the disk: whole files or none, and the same numbers on the way back.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <clocale>
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <locale>
+#include <nlohmann/json.hpp>
+
+#include "core/output/atomic_file.h"
+#include "core/output/csv.h"
+#include "core/output/exr.h"
+#include "core/output/film_statistics.h"
+#include "core/output/run_files.h"
+#include "core/output/run_json.h"
+
+namespace wander {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+// An empty directory that is gone when the test is.
+class Output : public ::testing::Test {
+ protected:
+  Output() {
+    std::string name = (fs::temp_directory_path() / "wander-output-XXXXXX").string();
+    folder = mkdtemp(name.data());
+  }
+  ~Output() override { fs::remove_all(folder); }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+      names.push_back(entry.path().filename());
+    return names;
+  }
+
+  fs::path folder;
+};
+
+std::string contents(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Files of this process cannot grow beyond a limit, as on a full disk.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+std::string error_of_writing(const fs::path& path, std::string_view bytes) {
+  try {
+    write_file(path, bytes);
+  } catch (const OutputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+RunRecord markov_chain_run() {
+  RunRecord run;
+  run.provenance = {"box",
+                    "{ \"dimension\": 2 } // text \"with\" quotes\n",
+                    "abc123",
+                    2,
+                    "wander render box.json",
+                    "0.1.0"};
+  Rendering& rendering = run.rendering;
+  rendering.method = "mlt";
+  rendering.samples = 123456789012;
+  rendering.seed = std::numeric_limits<std::uint64_t>::max();
+  rendering.threads = 3;
+  rendering.seconds = 1.25;
+  rendering.seed_seconds = 0.25;
+  rendering.film.shape = {3};
+  rendering.film.value = {0.1, 1e-30, 1 / 3.0};
+  rendering.film.standard_error = {0.01, unknown, 1e-3};
+  rendering.film.reliable = {true, false, true};
+  rendering.film.degrees_of_freedom = 31;
+  rendering.film.by_length = {{2, {0.1, 0, 0}}, {5, {0, 1e-30, 1 / 3.0}}};
+  rendering.normalization.emplace();
+  rendering.normalization->value = 0.6;
+  rendering.normalization->standard_error = 0.002;
+  rendering.normalization->method = "bridge";
+  NormalizationEstimate direct;
+  direct.value = 0.61;
+  direct.standard_error = 0.004;
+  direct.samples = 100000;
+  rendering.normalization->estimates["seed_pass"] = direct;
+  LengthShare share;
+  share.vertices = 2;
+  share.value = 0.2;
+  share.standard_error = 0.001;
+  rendering.normalization->by_length = {share};
+  rendering.chains = 64;
+  rendering.groups = 32;
+  rendering.mutations = {
+      {"primary_small", 1000, 400, 0.41, {{"occluded", 20}}, {500, 0, 500}, {0.5, unknown, 0.32}}};
+  rendering.warnings = {"a warning"};
+  return run;
+}
+
+// ---- whole files or none
+
+TEST_F(Output, AWrittenFileHoldsItsBytesAndLeavesNoOtherFile) {
+  write_file(folder / "a", "first");
+  write_file(folder / "a", std::string("sec\0ond", 7));
+  EXPECT_EQ(contents(folder / "a"), std::string("sec\0ond", 7));
+  EXPECT_EQ(names(), std::vector<std::string>{"a"});
+}
+
+TEST_F(Output, AFullDiskLeavesTheFormerFileAndNoHalfOne) {
+  write_file(folder / "a", "before");
+  const std::string big(1 << 16, 'x');
+  std::string message;
+  {
+    const FileSizeLimit limit(1 << 12);
+    message = error_of_writing(folder / "a", big);
+  }
+  EXPECT_EQ(message, "cannot write " + (folder / "a").string() + ": File too large");
+  EXPECT_EQ(contents(folder / "a"), "before");
+  EXPECT_EQ(names(), std::vector<std::string>{"a"});
+}
+
+TEST_F(Output, AnErrorNamesThePathAndTheReason) {
+  EXPECT_EQ(error_of_writing(folder / "no" / "a", "x"),
+            "cannot write " + (folder / "no" / "a").string() + ": No such file or directory");
+  EXPECT_EQ(error_of_writing(folder, "x"), "cannot write " + folder.string() + ": Is a directory");
+}
+
+TEST_F(Output, ADeviceIsWrittenInPlaceAndItsFailureIsSeen) {
+  EXPECT_EQ(error_of_writing("/dev/null", "x"), "");
+  EXPECT_EQ(error_of_writing("/dev/full", "x"), "cannot write /dev/full: No space left on device");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST_F(Output, ALinkStaysALinkToTheFileThatIsReplaced) {
+  write_file(folder / "file", "before");
+  fs::create_symlink("file", folder / "link");
+  write_file(folder / "link", "after");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(contents(folder / "file"), "after");
+}
+
+TEST_F(Output, AStagedFileThatIsNotCommittedVanishes) {
+  { const StagedFile staged(folder / "a", "bytes"); }
+  EXPECT_TRUE(names().empty());
+}
+
+// ---- film.exr
+
+TEST_F(Output, AnExrReadsBackWhatItHolds) {
+  const RunRecord run = markov_chain_run();
+  write_file(folder / "film.exr", to_exr(run));
+  const RunRecord back = read_exr(folder / "film.exr");
+  EXPECT_EQ(back.provenance.scene_text, run.provenance.scene_text);
+  EXPECT_EQ(back.provenance.scene_sha256, "abc123");
+  EXPECT_EQ(back.provenance.command_line, "wander render box.json");
+  EXPECT_EQ(back.provenance.version, "0.1.0");
+  EXPECT_EQ(back.rendering.method, "mlt");
+  EXPECT_EQ(back.rendering.seed, run.rendering.seed);
+  EXPECT_EQ(back.rendering.samples, run.rendering.samples);
+  EXPECT_EQ(back.rendering.film.shape, std::vector{3});
+  EXPECT_EQ(back.rendering.film.reliable, run.rendering.film.reliable);
+  EXPECT_EQ(back.rendering.film.degrees_of_freedom, 31);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_FLOAT_EQ(static_cast<float>(back.rendering.film.value[i]),
+                    static_cast<float>(run.rendering.film.value[i]));
+  EXPECT_TRUE(std::isnan(back.rendering.film.standard_error[1]));
+  ASSERT_EQ(back.rendering.film.by_length.size(), 2U);
+  EXPECT_FLOAT_EQ(static_cast<float>(back.rendering.film.by_length.at(5)[2]), 1 / 3.F);
+  EXPECT_EQ(back.rendering.normalization.value().value, 0.6);
+  EXPECT_EQ(back.rendering.normalization.value().standard_error, 0.002);
+  ASSERT_EQ(back.rendering.mutations.size(), 1U);
+  EXPECT_EQ(back.rendering.mutations[0].name, "primary_small");
+  EXPECT_EQ(back.rendering.mutations[0].proposed, 1000U);
+  EXPECT_NEAR(back.rendering.mutations[0].mean_acceptance, 0.41, 1e-6);
+}
+
+TEST_F(Output, AnExrOfEqualContentHasEqualBytesWhateverTheExecution) {
+  const RunRecord run = markov_chain_run();
+  RunRecord slower = run;
+  slower.rendering.threads = 1;
+  slower.rendering.seconds = 99;
+  EXPECT_EQ(to_exr(run), to_exr(slower));
+  slower.rendering.film.value[0] *= 1.001;
+  EXPECT_NE(to_exr(run), to_exr(slower));
+}
+
+TEST_F(Output, AnImageKeepsItsWidthAndHeight) {
+  RunRecord run;
+  run.provenance.dimension = 3;
+  run.rendering.film.shape = {2, 3};
+  run.rendering.film.value = {1, 2, 3, 4, 5, 6};
+  run.rendering.film.standard_error = std::vector<double>(6, 0.5);
+  run.rendering.film.reliable = std::vector<bool>(6, true);
+  write_file(folder / "film.exr", to_exr(run));
+  const RunRecord back = read_exr(folder / "film.exr");
+  EXPECT_EQ(back.rendering.film.shape, run.rendering.film.shape);
+  EXPECT_EQ(back.rendering.film.value, run.rendering.film.value);
+}
+
+TEST_F(Output, ADamagedExrIsRefusedAndNeverCrashes) {
+  const std::string whole = to_exr(markov_chain_run());
+  for (std::size_t size = 4; size < whole.size(); size += 7) {
+    write_file(folder / "film.exr", std::string_view(whole).substr(0, size));
+    EXPECT_THROW(read_exr(folder / "film.exr"), RunFileError) << size;
+  }
+  for (std::size_t i = 4; i < whole.size(); i += 3) {
+    std::string damaged = whole;
+    damaged[i] = static_cast<char>(~damaged[i]);
+    write_file(folder / "film.exr", damaged);
+    try {
+      read_exr(folder / "film.exr");  // an altered number is still a film
+    } catch (const RunFileError&) {
+    }
+  }
+}
+
+// ---- film.csv
+
+description::Scene scene_with_sensor(description::ShapeKind kind, int bins) {
+  description::Scene scene;
+  description::Shape shape;
+  shape.kind = std::move(kind);
+  shape.sensor = description::Sensor{{bins}};
+  scene.shapes = {description::Shape{}, shape};
+  return scene;
+}
+
+TEST(Csv, CentersOfBinsAreMetresAlongTheSensor) {
+  const description::Segment segment{{1, 1, 0}, {4, 5, 0}};
+  EXPECT_EQ(bin_centers(scene_with_sensor(segment, 2)), (std::vector{1.25, 3.75}));
+  const description::Circle circle{{}, 2, false};
+  EXPECT_DOUBLE_EQ(bin_centers(scene_with_sensor(circle, 1))[0], 2 * M_PI);
+  const description::Arc arc{{}, 2, 350, 80, false};
+  EXPECT_DOUBLE_EQ(bin_centers(scene_with_sensor(arc, 1))[0], M_PI / 2);
+}
+
+TEST(Csv, CentersOfPixelsAreFractionsOfTheFilm) {
+  description::Scene scene;
+  scene.camera.emplace().resolution = {4};
+  EXPECT_EQ(bin_centers(scene), (std::vector{0.125, 0.375, 0.625, 0.875}));
+}
+
+struct DecimalComma : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+};
+
+TEST(Csv, NumbersReadBackExactlyInEveryLocale) {
+  const std::locale before = std::locale::global(std::locale(std::locale(), new DecimalComma));
+  FilmEstimate film;
+  film.value = {1 / 3.0, 1e-300};
+  film.standard_error = {0.1, -unknown};
+  const std::string text = to_csv(film, {0.25, 0.75});
+  std::locale::global(before);
+  EXPECT_EQ(text,
+            "bin,center,value,standard_error\n"
+            "0,0.25,0.3333333333333333,0.1\n"
+            "1,0.75,1e-300,nan\n");
+}
+
+// ---- run.json
+
+TEST(RunJson, ADocumentSaysWhatTheContractSays) {
+  const nlohmann::ordered_json json = to_json(markov_chain_run());
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : json.items()) keys.push_back(key);
+  EXPECT_EQ(keys, (std::vector<std::string>{"schema", "complete", "scene", "dimension", "method",
+                                            "samples", "seed", "threads", "seconds", "seed_seconds",
+                                            "precision", "film", "normalization", "chains",
+                                            "mutations", "command_line", "version", "warnings"}));
+  EXPECT_EQ(json["schema"], "wanderlight-run/1");
+  EXPECT_EQ(json["film"]["shape"], nlohmann::ordered_json({3}));
+  EXPECT_EQ(json["film"]["value"][2].get<double>(), 1 / 3.0);
+  EXPECT_EQ(json["film"]["reliable"], nlohmann::ordered_json({true, false, true}));
+  EXPECT_EQ(json["film"]["degrees_of_freedom"], 31.0);
+  EXPECT_EQ(json["normalization"]["estimates"]["seed_pass"]["samples"], 100000);
+  EXPECT_EQ(json["normalization"]["by_length"][0]["vertices"], 2);
+  EXPECT_EQ(json["chains"], (nlohmann::ordered_json{{"count", 64}, {"groups", 32}}));
+  EXPECT_EQ(json["mutations"]["primary_small"]["failures"]["occluded"], 20);
+}
+
+TEST(RunJson, NumbersThatAreNotFiniteAreNull) {
+  RunRecord run = markov_chain_run();
+  run.rendering.film.value[0] = std::numeric_limits<double>::infinity();
+  const nlohmann::ordered_json json = to_json(run);
+  EXPECT_TRUE(json["film"]["standard_error"][1].is_null());
+  EXPECT_TRUE(json["film"]["value"][0].is_null());
+}
+
+TEST(RunJson, AnIndependentSampleRunHasNoMarkovChainFields) {
+  RunRecord run = markov_chain_run();
+  run.rendering.normalization.reset();
+  run.rendering.chains = 0;
+  run.rendering.mutations.clear();
+  const nlohmann::ordered_json json = to_json(run);
+  for (const char* key : {"normalization", "chains", "mutations"}) EXPECT_FALSE(json.contains(key));
+}
+
+TEST_F(Output, ARunReadsBackFromItsDirectoryToTheLastBit) {
+  const RunRecord run = markov_chain_run();
+  const description::Segment segment{{0, 0, 0}, {1, 0, 0}};
+  EXPECT_FALSE(holds_run(folder));
+  write_run(run, scene_with_sensor(segment, 3), folder);
+  EXPECT_TRUE(holds_run(folder));
+  EXPECT_EQ(to_json(read_run(folder)), to_json(run));
+  EXPECT_EQ(to_json(read_run(folder / "run.json")), to_json(run));
+  EXPECT_EQ(read_run(folder / "film.exr").rendering.method, "mlt");
+  EXPECT_TRUE(fs::exists(folder / "film.csv"));
+}
+
+TEST_F(Output, AFullDiskLeavesTheWholeFormerRun) {
+  RunRecord run = markov_chain_run();
+  const description::Scene scene = scene_with_sensor(description::Segment{{0, 0, 0}, {1, 0, 0}}, 3);
+  write_run(run, scene, folder);
+  const std::string before = contents(folder / "film.exr");
+  run.rendering.film.value[0] = 7;
+  run.provenance.scene_text = std::string(1 << 16, 'x');  // compresses in no file
+  {
+    const FileSizeLimit limit(1 << 14);
+    EXPECT_THROW(write_run(run, scene, folder), OutputError);
+  }
+  EXPECT_EQ(contents(folder / "film.exr"), before);
+  EXPECT_EQ(names().size(), 3U);
+}
+
+TEST_F(Output, AFileThatIsNoRunIsToldFromABrokenOne) {
+  write_file(folder / "scene.json", "{ \"format\": \"wanderlight-scene/1\" }");
+  EXPECT_FALSE(find_run(folder / "scene.json"));
+  EXPECT_FALSE(find_run(folder / "missing"));
+  EXPECT_THROW(read_run(folder / "scene.json"), RunFileError);
+  const std::string whole = to_json(markov_chain_run()).dump();
+  nlohmann::ordered_json broken = to_json(markov_chain_run());
+  broken["film"]["value"].push_back(1);
+  write_file(folder / "run.json", broken.dump());
+  EXPECT_THROW(find_run(folder / "run.json"), RunFileError);
+  write_file(folder / "run.json", "{\"schema\":\"wanderlight-run/1\"}");
+  EXPECT_THROW(find_run(folder), RunFileError);
+}
+
+// ---- statistics of films
+
+FilmEstimate film_of(std::vector<double> value, double error) {
+  FilmEstimate film;
+  film.shape = {static_cast<int>(value.size())};
+  film.standard_error = std::vector<double>(value.size(), error);
+  film.reliable = std::vector<bool>(value.size(), true);
+  film.degrees_of_freedom = 31;
+  film.value = std::move(value);
+  return film;
+}
+
+TEST(FilmStatistics, TheRelativeErrorIsTheRatioOfTheNorms) {
+  EXPECT_DOUBLE_EQ(relative_error(film_of({3, 4}, 0.5)), std::sqrt(0.5) / 5);
+  EXPECT_DOUBLE_EQ(relative_error(film_of({3e200, 4e200}, 0.5e200)), std::sqrt(0.5) / 5);
+  EXPECT_TRUE(std::isnan(relative_error(film_of({0, 0}, 0))));
+}
+
+TEST(FilmStatistics, StudentsQuantilesAreThoseOfTheTables) {
+  EXPECT_NEAR(student_t_95(1), 12.7062, 1e-4);
+  EXPECT_NEAR(student_t_95(5), 2.57058, 1e-5);
+  EXPECT_NEAR(student_t_95(31), 2.03951, 1e-5);
+  EXPECT_NEAR(student_t_95(std::numeric_limits<double>::infinity()), 1.95996, 1e-5);
+  EXPECT_TRUE(std::isinf(student_t_95(0)));
+}
+
+TEST(FilmStatistics, AComparisonCountsTheErrorsOfBothFilms) {
+  // Each difference is 5 combined errors of 0.05, or none.
+  const FilmComparison comparison =
+      compare(film_of({1.25, 1, 1, 1}, 0.03), film_of({1, 1, 1, 1}, 0.04));
+  EXPECT_EQ(comparison.bins, 4U);
+  EXPECT_DOUBLE_EQ(comparison.relative_rmse, 0.125);
+  EXPECT_NEAR(comparison.chi2_per_degree, 25.0 / 4, 1e-12);
+  EXPECT_NEAR(comparison.largest_z, 5, 1e-12);
+  EXPECT_DOUBLE_EQ(comparison.covered_share, 0.75);
+}
+
+TEST(FilmStatistics, ABinIsComparedOnlyWhereBothFilmsAreReliable) {
+  FilmEstimate film = film_of({1, 9, 9}, 0.1);
+  FilmEstimate reference = film_of({1, 1, 1}, 0.1);
+  film.reliable[1] = false;
+  reference.standard_error[2] = unknown;
+  const FilmComparison comparison = compare(film, reference);
+  EXPECT_EQ(comparison.bins, 1U);
+  EXPECT_EQ(comparison.chi2_per_degree, 0);
+}
+
+}  // namespace
+}  // namespace wander

@@ -1,0 +1,176 @@
+// The primary steps: Kelemen's kernel in one coordinate, and the maps between a path and the random
+// numbers that make it, there and back.
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "core/path_sampler.h"
+#include "mutations/kelemen.h"
+#include "mutations/primary_small.h"
+#include "tests/support/chi_square.h"
+#include "tests/support/expect.h"
+#include "tests/support/generator.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/wrong_twins.h"
+
+namespace wander::test {
+namespace {
+
+// ---- one coordinate
+// --------------------------------------------------------------------------------
+
+// A kernel with a large range, so that a step often meets the ends.
+constexpr Kelemen far_reaching{1.0 / 64, 0.4};
+
+template <class Kernel>
+Decision stays_uniform(const Kernel& kernel, std::uint64_t seed) {
+  Generator random(seed);
+  std::vector<double> values;
+  for (int i = 0; i < 200'000; ++i) {
+    double u = random.uniform();
+    for (int step = 0; step < 5; ++step) u = kernel.move(u, random).u;
+    values.push_back(u);
+  }
+  return uniformity_test(values, usual_false_alarm, 128);
+}
+
+TEST(Kelemen, KeepsUniformNumbersUniform) {
+  EXPECT_TRUE(passes(stays_uniform(Kelemen{}, 1)));
+  EXPECT_TRUE(passes(stays_uniform(far_reaching, 2)));
+}
+
+TEST(Kelemen, ATwinThatClampsInsteadOfWrappingIsCaught) {
+  EXPECT_TRUE(rejects(stays_uniform(ClampedKelemen{}, 3)));
+}
+
+// 1 / (2 |v - u| ln(s2/s1)) around the circle.
+double density_of_move(const Kelemen& kernel, double u, double v) {
+  const double across = std::abs(v - u), distance = std::min(across, 1 - across);
+  if (distance < kernel.smallest || distance > kernel.largest) return 0;
+  return 1 / (2 * distance * std::log(kernel.largest / kernel.smallest));
+}
+
+TEST(Kelemen, ItsDensityIsThatOfItsMovesAndIntegratesToOne) {
+  for (const double u : {0.0, 0.001, 0.3, 0.995}) {
+    SCOPED_TRACE(u);
+    Generator random(4);
+    const auto sample = [&]() -> std::optional<CubePoint<1>> {
+      return CubePoint<1>{far_reaching.move(u, random).u};
+    };
+    const auto density = [&](const CubePoint<1>& v) {
+      return density_of_move(far_reaching, u, v[0]);
+    };
+    EXPECT_TRUE(passes(sampler_matches_density<1>(sample, density)));
+    EXPECT_NEAR(integral<1>(density, Box<1>{{0}, {1}}, {.absolute = 1e-9, .depth = 30}), 1, 1e-6);
+  }
+}
+
+TEST(Kelemen, ClaimsTheDensityOfTheMoveThatItMade) {
+  Generator random(5);
+  for (int i = 0; i < 100'000; ++i) {
+    const double u = random.uniform();
+    const Kelemen::Move move = Kelemen{}.move(u, random);
+    const double across = std::abs(move.u - u), distance = std::min(across, 1 - across);
+    ASSERT_NEAR(move.density * 2 * distance * std::log(16.0), 1, 1e-9);
+  }
+}
+
+// Plays given numbers.
+struct Script {
+  std::vector<double> numbers;
+  std::size_t next = 0;
+  double uniform() { return numbers[next++ % numbers.size()]; }
+};
+
+TEST(Kelemen, NeverReachesOne) {
+  const double below_one = std::nextafter(1.0, 0.0);
+  const Kelemen tiny{1e-30, 1e-17};
+  for (const Kelemen& kernel : {Kelemen{}, far_reaching, tiny}) {
+    for (const double u : {0.0, 1e-20, 0.5, 1 - 1.0 / 64, below_one}) {
+      for (const double distance : {0.0, 0.5, below_one}) {
+        for (const double sign : {0.0, 0.75}) {
+          Script script{{distance, sign}};
+          const double moved = kernel.move(u, script).u;
+          EXPECT_GE(moved, 0);
+          EXPECT_LT(moved, 1);
+        }
+      }
+    }
+  }
+}
+
+// ---- paths to numbers and back
+// ---------------------------------------------------------------------
+
+using W = Flatland;
+using Flat = Transport<W>;
+
+constexpr double tolerance = 1e-9;  // in rooms of about the unit square
+
+::testing::AssertionResult same_vertex(const Vertex<W>& a, const Vertex<W>& b) {
+  const double distance = glm::length(a.place.position - b.place.position);
+  if (a.place.shape == b.place.shape && distance < tolerance) return ::testing::AssertionSuccess();
+  return ::testing::AssertionFailure() << "on shapes " << a.place.shape << " and " << b.place.shape
+                                       << ", " << distance << " apart";
+}
+
+// Makes each vertex of a subpath of x anew, from the true ones before it.
+void expect_round_trip(const Flat& space, const Path<W>& x, Toward toward, int count, Rng& random) {
+  if (count == 0) return;
+  const bool from_light = toward == Toward::sensor;
+  const int end = from_light ? 0 : x.size() - 1, step = from_light ? 1 : -1;
+  Path<W> y(space.max_vertices());
+  y.resize(x.size());
+  const PointNumbers<W> point = space.invert_begin(x, end, random);
+  if (from_light)
+    space.begin_light(y, end, point);
+  else
+    space.begin_sensor(y, end, point);
+  ASSERT_TRUE(same_vertex(x[end], y[end]));
+  ASSERT_EQ(x[end].event, y[end].event);
+  for (int k = 0, i = end; k + 1 < count; ++k, i += step) {
+    const ScatterNumbers<W> numbers = space.invert_extend(x, i, toward, random);
+    ASSERT_TRUE(numbers.direction[0] >= 0 && numbers.direction[0] < 1) << numbers.direction[0];
+    ASSERT_TRUE(numbers.lobe >= 0 && numbers.lobe < 1) << numbers.lobe;
+    y = x;
+    ASSERT_TRUE(space.extend(y, i, toward, numbers)) << path_class(x) << " at " << i;
+    ASSERT_TRUE(same_vertex(x[i + step], y[i + step])) << path_class(x) << " at " << i;
+    ASSERT_EQ(x[i].event, y[i].event) << path_class(x) << " at " << i;
+  }
+}
+
+class InverseMap : public ::testing::TestWithParam<int> {};
+
+TEST_P(InverseMap, MakesTheSamePathWithEveryTechniqueThatCan) {
+  const NamedScene named = lit_scenes()[static_cast<std::size_t>(GetParam())];
+  const FlatScene scene = build(named.scene);
+  const Flat space(*scene, Roulette::off);
+  PathSampler<Flat> sampler(space, all_techniques, Heuristic::balance);
+  Rng random(1, Purpose::test, 10), auxiliary(1, Purpose::test, 11);
+  int round_trips = 0;
+  for (std::uint64_t i = 0; i < 2000 && !HasFatalFailure(); ++i) {
+    random.start(i);
+    auxiliary.start(i);
+    sampler.sample(random, [&](const Path<W>& x, int, double) {
+      for (int s = 0; s <= x.size() && !HasFatalFailure(); ++s) {
+        if (!can_sample(space, x, s, all_techniques)) continue;
+        expect_round_trip(space, x, Toward::sensor, s, auxiliary);
+        expect_round_trip(space, x, Toward::light, x.size() - s, auxiliary);
+        ++round_trips;
+      }
+    });
+  }
+  EXPECT_GT(round_trips, 1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Rooms, InverseMap,
+                         ::testing::Range(0, static_cast<int>(lit_scenes().size())),
+                         [](const auto& test) {
+                           std::string name =
+                               lit_scenes()[static_cast<std::size_t>(test.param)].name;
+                           std::replace(name.begin(), name.end(), ' ', '_');
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace wander::test

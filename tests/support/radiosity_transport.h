@@ -1,0 +1,45 @@
+// The discrete transport operator of the radiosity solver: rows are receivers, columns the unknown
+// radiances of a mesh, entries ∫ ℓ(y) V cos θx cos θy / r dl(y) with ℓ the Lagrange polynomial of
+// the column's node.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "tests/support/crossed_strings.h"
+#include "tests/support/radiosity_mesh.h"
+
+namespace wander::test {
+
+// One receiver's row: what it gathers of each unknown.
+class TransportRow {
+ public:
+  // The irradiance due to these radiances.
+  double irradiance(const std::vector<double>& radiance) const;
+
+  // Room for the entries of one more element, all zero; valid until the next call.
+  double* append(const Element& element);
+
+ private:
+  struct Block {
+    std::size_t first, nodes;  // columns
+  };
+  std::vector<Block> blocks_;
+  std::vector<double> weights_;  // of the blocks, one after the other
+};
+
+class Transport {
+ public:
+  Transport(const RadiosityScene& scene, const Visibility& visibility,
+            const RadiosityElements& elements)
+      : scene_(scene), visibility_(visibility), elements_(elements) {}
+
+  TransportRow row(const Receiver& receiver) const;
+
+ private:
+  const RadiosityScene& scene_;
+  const Visibility& visibility_;
+  const RadiosityElements& elements_;
+};
+
+}  // namespace wander::test

@@ -1,0 +1,272 @@
+#include "tests/support/statistics.h"
+
+#include <algorithm>
+#include <boost/math/distributions/beta.hpp>
+#include <boost/math/distributions/binomial.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+
+namespace wander::test {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+double normal_threshold(double rate) {
+  return boost::math::quantile(boost::math::complement(boost::math::normal{}, rate / 2));
+}
+
+// P(|T| >= |t|); what is not finite gets 0, so that it is rejected.
+double student_two_sided_p(double t, double degrees) {
+  if (!std::isfinite(t)) return 0;
+  const boost::math::students_t distribution{degrees};
+  return 2 * boost::math::cdf(boost::math::complement(distribution, std::abs(t)));
+}
+
+double student_threshold(double rate, double degrees) {
+  const boost::math::students_t distribution{degrees};
+  return boost::math::quantile(boost::math::complement(distribution, rate / 2));
+}
+
+// 0/0 means agreement without any spread; x/0 is an infinite deviation.
+double ratio(double difference, double error) {
+  return difference == 0 && error == 0 ? 0 : difference / error;
+}
+
+// The two-sided decision that all tests on Student's distribution share.
+Decision student_decision(std::string test, double t, double degrees, double false_alarm) {
+  Decision d{.test = std::move(test), .statistic = t, .false_alarm = false_alarm};
+  d.threshold = student_threshold(false_alarm, degrees);
+  d.p_value = student_two_sided_p(t, degrees);
+  d.passed = std::abs(t) <= d.threshold;
+  d.detail = std::to_string(degrees) + " degrees of freedom";
+  return d;
+}
+
+struct Welch {
+  double t, degrees;
+};
+
+// t = (x̄ - ȳ) / √(a + b),  ν = (a + b)² / (a²/(n-1) + b²/(m-1)),  a = s²/n.
+Welch welch(const Moments& x, const Moments& y) {
+  if (x.count() < 2 || y.count() < 2)
+    throw std::invalid_argument("a Welch test needs two values on each side");
+  const double a = x.variance() / static_cast<double>(x.count());
+  const double b = y.variance() / static_cast<double>(y.count());
+  const double n = static_cast<double>(x.count() - 1), m = static_cast<double>(y.count() - 1);
+  const double t = ratio(x.mean() - y.mean(), std::sqrt(a + b));
+  return {t, a + b > 0 ? (a + b) * (a + b) / (a * a / n + b * b / m) : n + m};
+}
+
+void require_family(std::size_t a, std::size_t b) {
+  if (a == 0) throw std::invalid_argument("an empty family of comparisons decides nothing");
+  if (a != b) throw std::invalid_argument("a family needs as many values on each side");
+}
+
+}  // namespace
+
+double normal_two_sided_p(double z) {
+  if (std::isnan(z)) return 0;
+  return std::erfc(std::abs(z) / std::sqrt(2.0));
+}
+
+// 1 - (1 - α)^(1/m), without the cancellation that α = 1e-7 would meet.
+double sidak_rate(double family_false_alarm, std::size_t comparisons) {
+  return -std::expm1(std::log1p(-family_false_alarm) / static_cast<double>(comparisons));
+}
+
+double sidak_threshold(double family_false_alarm, std::size_t comparisons) {
+  return normal_threshold(sidak_rate(family_false_alarm, comparisons));
+}
+
+double bonferroni_threshold(double family_false_alarm, std::size_t comparisons) {
+  return normal_threshold(family_false_alarm / static_cast<double>(comparisons));
+}
+
+Moments::Moments(std::span<const double> values) {
+  for (const double value : values) add(value);
+}
+
+void Moments::add(double value) {
+  ++count_;
+  const double before = value - mean_;
+  mean_ += before / static_cast<double>(count_);
+  squares_ += before * (value - mean_);
+}
+
+// With δ the difference of the means: Σ² = Σ₁² + Σ₂² + δ² n m / (n + m).
+void Moments::merge(const Moments& other) {
+  if (other.count_ == 0) return;
+  const auto n = static_cast<double>(count_), m = static_cast<double>(other.count_);
+  const double difference = other.mean_ - mean_;
+  mean_ += difference * (m / (n + m));
+  squares_ += other.squares_ + difference * difference * (n * m / (n + m));
+  count_ += other.count_;
+}
+
+double Moments::variance() const {
+  return count_ < 2 ? 0 : squares_ / static_cast<double>(count_ - 1);
+}
+
+double Moments::standard_error() const {
+  return count_ < 2 ? infinity : std::sqrt(variance() / static_cast<double>(count_));
+}
+
+std::ostream& operator<<(std::ostream& out, const Decision& d) {
+  out << d.test << (d.passed ? " passed" : " FAILED") << ": statistic " << d.statistic
+      << ", threshold " << d.threshold << ", p = " << d.p_value << ", false-alarm rate "
+      << d.false_alarm;
+  if (d.comparisons > 1) out << ", worst of " << d.comparisons << ": number " << d.worst;
+  if (!d.detail.empty()) out << "; " << d.detail;
+  return out;
+}
+
+std::string describe(const Decision& decision) {
+  std::ostringstream text;
+  text << decision;
+  return text.str();
+}
+
+Decision z_test(double estimate, double standard_error, double exact, double false_alarm) {
+  Decision d{.test = "z test of one mean", .false_alarm = false_alarm};
+  d.statistic = ratio(estimate - exact, standard_error);
+  d.threshold = sidak_threshold(false_alarm, 1);
+  d.p_value = normal_two_sided_p(d.statistic);
+  // An infinite error would turn every deviation into z = 0.
+  d.passed = std::isfinite(standard_error) && std::abs(d.statistic) <= d.threshold;
+  std::ostringstream text;
+  text << "estimate " << estimate << " ± " << standard_error << ", exact " << exact;
+  d.detail = text.str();
+  return d;
+}
+
+Decision z_test(const Moments& sample, double exact, double false_alarm) {
+  return z_test(sample.mean(), sample.standard_error(), exact, false_alarm);
+}
+
+Decision t_test(const Moments& sample, double exact, double false_alarm) {
+  if (sample.count() < 2) throw std::invalid_argument("a t test needs two values");
+  const double t = ratio(sample.mean() - exact, sample.standard_error());
+  return student_decision("t test of one mean", t, static_cast<double>(sample.count() - 1),
+                          false_alarm);
+}
+
+Decision paired_t_test(std::span<const double> a, std::span<const double> b, double false_alarm) {
+  require_family(a.size(), b.size());
+  Moments differences;
+  for (std::size_t i = 0; i < a.size(); ++i) differences.add(a[i] - b[i]);
+  Decision d = t_test(differences, 0, false_alarm);
+  d.test = "paired t test";
+  return d;
+}
+
+Decision welch_test(const Moments& a, const Moments& b, double false_alarm) {
+  const Welch w = welch(a, b);
+  return student_decision("Welch test of two means", w.t, w.degrees, false_alarm);
+}
+
+double welch_p_value(const Moments& a, const Moments& b) {
+  const Welch w = welch(a, b);
+  return student_two_sided_p(w.t, w.degrees);
+}
+
+Decision largest_z_test(std::span<const double> z, double false_alarm) {
+  require_family(z.size(), z.size());
+  Decision d{.test = "largest |z|", .passed = true, .false_alarm = false_alarm};
+  d.comparisons = z.size();
+  d.threshold = sidak_threshold(false_alarm, z.size());
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    if (std::abs(z[i]) <= std::abs(d.statistic)) continue;
+    d.statistic = z[i];  // a NaN lands here too, and no later value displaces it
+    d.worst = i;
+    if (std::isnan(z[i])) break;
+  }
+  d.p_value = normal_two_sided_p(d.statistic);
+  d.passed = std::abs(d.statistic) <= d.threshold;
+  return d;
+}
+
+Decision bins_z_test(std::span<const Moments> bins, std::span<const double> exact,
+                     double false_alarm) {
+  require_family(bins.size(), exact.size());
+  std::vector<double> z(bins.size());
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    const double error = bins[i].standard_error();
+    // Without two values there is no error bar, hence no agreement.
+    z[i] = std::isfinite(error) ? ratio(bins[i].mean() - exact[i], error) : infinity;
+  }
+  Decision d = largest_z_test(z, false_alarm);
+  std::ostringstream text;
+  text << "there " << bins[d.worst].mean() << " ± " << bins[d.worst].standard_error() << ", exact "
+       << exact[d.worst];
+  d.detail = text.str();
+  return d;
+}
+
+Decision bins_welch_test(std::span<const Moments> a, std::span<const Moments> b,
+                         double false_alarm) {
+  require_family(a.size(), b.size());
+  Decision d{.test = "Welch test of each bin", .p_value = infinity, .false_alarm = false_alarm};
+  d.comparisons = a.size();
+  const double rate = sidak_rate(false_alarm, a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Welch w = welch(a[i], b[i]);
+    const double p = student_two_sided_p(w.t, w.degrees);
+    if (p >= d.p_value) continue;
+    d.p_value = p;
+    d.worst = i;
+    d.statistic = w.t;
+    d.threshold = student_threshold(rate, w.degrees);
+  }
+  d.passed = d.p_value >= rate;
+  std::ostringstream text;
+  text << "there " << a[d.worst].mean() << " ± " << a[d.worst].standard_error() << " against "
+       << b[d.worst].mean() << " ± " << b[d.worst].standard_error();
+  d.detail = text.str();
+  return d;
+}
+
+// Quantiles of the beta distributions that the binomial tails are.
+ConfidenceInterval binomial_interval(std::uint64_t successes, std::uint64_t trials,
+                                     double confidence) {
+  using boost::math::beta_distribution;
+  using boost::math::complement;
+  using boost::math::quantile;
+  const double tail = (1 - confidence) / 2;
+  const auto k = static_cast<double>(successes), n = static_cast<double>(trials);
+  ConfidenceInterval interval;
+  if (successes > 0) interval.low = quantile(beta_distribution<>{k, n - k + 1}, tail);
+  if (successes < trials)
+    interval.high = quantile(complement(beta_distribution<>{k + 1, n - k}, tail));
+  return interval;
+}
+
+// Two-sided, p = 2 min(P(X <= k), P(X >= k)); the interval is for the reader of a failure.
+Decision binomial_test(std::uint64_t successes, std::uint64_t trials, double probability,
+                       double false_alarm) {
+  if (trials == 0 || successes > trials)
+    throw std::invalid_argument("a binomial test needs 0 < trials and successes <= trials");
+  Decision d{.test = "binomial test of a proportion", .false_alarm = false_alarm};
+  const boost::math::binomial distribution{static_cast<double>(trials), probability};
+  const auto k = static_cast<double>(successes);
+  const double below = boost::math::cdf(distribution, k);  // P(X <= k)
+  const double above =
+      successes == 0 ? 1 : boost::math::cdf(boost::math::complement(distribution, k - 1));
+  d.statistic = k / static_cast<double>(trials);
+  d.threshold = probability;
+  d.p_value = std::min(1.0, 2 * std::min(below, above));
+  d.passed = d.p_value >= false_alarm;
+  const ConfidenceInterval interval = binomial_interval(successes, trials, 1 - false_alarm);
+  std::ostringstream text;
+  text << successes << " of " << trials << ", interval [" << interval.low << ", " << interval.high
+       << "] for the probability " << probability;
+  d.detail = text.str();
+  return d;
+}
+
+}  // namespace wander::test

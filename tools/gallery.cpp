@@ -1,0 +1,75 @@
+// `wander gallery`: the scenes that come with the program.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "tools/console.h"
+#include "tools/scene_source.h"
+#include "tools/verb.h"
+
+namespace wander {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json document_of(const GalleryScene& scene) {
+  return ordered_json::parse(scene.text, nullptr, true, true);  // comments are allowed
+}
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+ordered_json listing() {
+  ordered_json scenes = ordered_json::array();
+  for (const GalleryScene& scene : std::span(gallery_scenes, gallery_scene_count)) {
+    const ordered_json document = document_of(scene);
+    scenes.push_back({{"name", scene.name},
+                      {"description", first_line(document.value("description", ""))},
+                      {"dimension", document.value("dimension", 2)}});
+  }
+  return {{"schema", "wanderlight-gallery/1"}, {"scenes", std::move(scenes)}};
+}
+
+void print_listing() {
+  std::string text;
+  const ordered_json list = listing();
+  for (const ordered_json& scene : list["scenes"])
+    text += fmt::format("{:<20} {}\n", scene["name"].get<std::string>(),
+                        scene["description"].get<std::string>());
+  print_data(text);
+}
+
+ExitCode show_gallery(const std::string& name, const Global& global) {
+  if (name.empty()) {
+    if (global.json)
+      print_json(listing());
+    else
+      print_listing();
+    return ExitCode::ok;
+  }
+  const GalleryScene& scene = gallery_scene(name);
+  if (global.json)
+    print_json(document_of(scene));
+  else
+    print_data(scene.text);
+  return ExitCode::ok;
+}
+
+}  // namespace
+
+void add_gallery(CLI::App& app, Global& global) {
+  auto name = std::make_shared<std::string>();
+  CLI::App* verb = app.add_subcommand("gallery", "list the scenes that come with the program");
+  verb->add_option("NAME", *name, "print this scene's file")->type_name("");
+  add_global_options(*verb, global);
+  verb->footer(
+      "\nExample:\n  wander gallery NAME > scene.json\n\n"
+      "Verbs that take a SCENE also take gallery:NAME.");
+  verb->callback(
+      [name, &global] { global.job = [name, &global] { return show_gallery(*name, global); }; });
+}
+
+}  // namespace wander

@@ -1,0 +1,40 @@
+// The options that every verb shares.
+#include <CLI/CLI.hpp>
+
+#include "tools/parsing.h"
+#include "tools/verb.h"
+
+namespace wander {
+
+void add_global_options(CLI::App& verb, Global& global) {
+  const char* group = "Options of every verb";
+  verb.set_help_flag("-h,--help", "print this help and exit")->group(group);
+  verb.add_flag("--json", global.json, "print exactly one JSON document on stdout")->group(group);
+  verb.add_option_function<std::string>(
+          "-t,--threads",
+          [&global](const std::string& text) { global.threads = parse_threads(text); },
+          "threads to compute with (default: all cores)")
+      ->type_name("N")
+      ->group(group);
+  verb.add_option_function<std::string>(
+          "-s,--seed", [&global](const std::string& text) { global.seed = parse_seed(text); },
+          "seed of the random numbers (default: 1)")
+      ->type_name("N")
+      ->group(group);
+  verb.add_option_function<std::string>(
+          "-o,--out", [&global](const std::string& text) { global.out = text; },
+          "where the output goes")
+      ->type_name("PATH")
+      ->group(group);
+  verb.add_flag("--force", global.force, "replace an output that exists")->group(group);
+  verb.add_flag("-q,--quiet", global.quiet, "say nothing but errors")->group(group);
+  verb.add_flag("-v,--verbose", global.verbose, "say what is being done")->group(group);
+  verb.add_option_function<std::string>(
+          "--progress",
+          [&global](const std::string& text) { global.progress = parse_progress(text); },
+          "auto (default: a bar on a terminal), bar, json or none")
+      ->type_name("HOW")
+      ->group(group);
+}
+
+}  // namespace wander

@@ -1,0 +1,81 @@
+// `wander inspect`: what a scene requires, or what a run holds and how good it is.
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/output/run_json.h"
+#include "tools/console.h"
+#include "tools/failure.h"
+#include "tools/inspection.h"
+#include "tools/scene_source.h"
+#include "tools/verb.h"
+
+namespace wander {
+
+namespace {
+
+struct InspectOptions {
+  std::string file, reference;
+};
+
+ExitCode show_run(const RunRecord& run, const InspectOptions& options, const Global& global) {
+  nlohmann::ordered_json document = inspect_run(run);
+  std::string text = text_of_run(run);
+  if (!options.reference.empty()) {
+    document["comparison"] = compare_runs(run, read_run(options.reference));
+    text += text_of_comparison(document["comparison"]);
+  }
+  if (global.json)
+    print_json(document);
+  else
+    print_data(text);
+  return ExitCode::ok;
+}
+
+ExitCode show_scene(const SceneDocument& scene, const InspectOptions& options,
+                    const Global& global) {
+  const nlohmann::ordered_json document = inspect_scene(scene);
+  for (const std::string& warning : scene_warnings(scene, options.file))
+    spdlog::warn("{}", warning);
+  if (global.json)
+    print_json(document);
+  else
+    print_data(text_of_scene(document));
+  return ExitCode::ok;
+}
+
+ExitCode inspect(const InspectOptions& options, const Global& global) {
+  const bool in_gallery = options.file.starts_with(gallery_prefix);
+  const std::optional<RunRecord> run = in_gallery ? std::nullopt : find_run(options.file);
+  if (run) return show_run(*run, options, global);
+  if (std::filesystem::is_directory(options.file))
+    throw RunFileError(options.file + ": a directory without a run.json");
+  if (!options.reference.empty())
+    throw UsageError("--reference compares two runs, and " + options.file + " is not a run");
+  return show_scene(open_scene(options.file), options, global);
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& app, Global& global) {
+  auto options = std::make_shared<InspectOptions>();
+  CLI::App* verb = app.add_subcommand("inspect", "say what a scene requires or what a run holds");
+  verb->add_option("FILE", options->file,
+                   "a scene file, gallery:NAME, a run.json, its directory, or a film.exr")
+      ->type_name("")
+      ->required();
+  verb->add_option("--reference", options->reference, "hold the run against this one")
+      ->type_name("RUN");
+  add_global_options(*verb, global);
+  verb->footer(
+      "\nExamples:\n  wander inspect scene.json --json\n"
+      "  wander inspect run --reference reference/run.json");
+  verb->callback([options, &global] {
+    global.job = [options, &global] { return inspect(*options, global); };
+  });
+}
+
+}  // namespace wander

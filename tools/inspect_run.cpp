@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/output/film_statistics.h"
+#include "core/output/run_json.h"
+#include "tools/failure.h"
+#include "tools/inspection.h"
+#include "tools/summary.h"
+#include "tools/wording.h"
+
+namespace wander {
+
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json json_of(double x) {
+  return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
+}
+
+ordered_json film_of(const FilmEstimate& film) {
+  ordered_json json{{"shape", film.shape},
+                    {"degrees_of_freedom", json_of(film.degrees_of_freedom)}};
+  if (film.value.empty()) return json;
+  json["mean"] = json_of(mean_value(film));
+  json["relative_error"] = json_of(relative_error(film));
+  json["reliable_share"] =
+      static_cast<double>(reliable_bins(film)) / static_cast<double>(film.value.size());
+  return json;
+}
+
+std::string number(const ordered_json& value) {
+  return value.is_null() ? "unknown" : fmt::format("{:.3g}", value.get<double>());
+}
+
+std::string share(const ordered_json& value) {
+  return value.is_null() ? "unknown" : percent(value.get<double>());
+}
+
+// What a film.exr does not hold is left out, not shown as zero.
+void leave_out_what_an_image_lacks(ordered_json& json) {
+  for (const char* key : {"threads", "seconds", "seed_seconds", "precision"}) json.erase(key);
+  if (!json.contains("mutations")) return;
+  for (ordered_json& mutation : json["mutations"])
+    for (const char* key : {"accepted", "failures"}) mutation.erase(key);
+}
+
+}  // namespace
+
+ordered_json inspect_run(const RunRecord& run) {
+  ordered_json json{{"schema", "wanderlight-inspection/1"}, {"kind", "run"}};
+  const ordered_json whole = to_json(run);
+  for (const auto& [key, value] : whole.items())
+    if (key != "schema") json[key] = value;
+  json["scene"].erase("text");
+  json["film"] = film_of(run.rendering.film);
+  if (std::isnan(run.rendering.seconds)) leave_out_what_an_image_lacks(json);
+  return json;
+}
+
+std::string text_of_run(const RunRecord& run) {
+  const Provenance& provenance = run.provenance;
+  std::string text = summary_of(run.rendering);
+  text += fmt::format("  scene           {}\n",
+                      provenance.scene_name.empty() ? "without a name" : provenance.scene_name);
+  text += fmt::format("  scene sha256    {}\n", provenance.scene_sha256);
+  text += fmt::format("  made by         {} (version {})\n", provenance.command_line,
+                      provenance.version);
+  for (const std::string& warning : run.rendering.warnings)
+    text += fmt::format("  warning         {}\n", warning);
+  return text;
+}
+
+ordered_json compare_runs(const RunRecord& run, const RunRecord& reference) {
+  const FilmEstimate &film = run.rendering.film, &expected = reference.rendering.film;
+  if (film.shape != expected.shape || film.value.size() != expected.value.size() ||
+      film.value.empty())
+    throw UsageError("the film and its reference have different shapes: nothing to compare");
+  const FilmComparison comparison = compare(film, expected);
+  return {{"reference",
+           {{"method", reference.rendering.method},
+            {"samples", reference.rendering.samples},
+            {"command_line", reference.provenance.command_line}}},
+          {"same_scene", run.provenance.scene_sha256 == reference.provenance.scene_sha256},
+          {"relative_rmse", json_of(comparison.relative_rmse)},
+          {"bins", comparison.bins},
+          {"chi2_per_degree", json_of(comparison.chi2_per_degree)},
+          {"largest_z", json_of(comparison.largest_z)},
+          {"covered_share", json_of(comparison.covered_share)}};
+}
+
+std::string text_of_comparison(const ordered_json& comparison) {
+  const ordered_json& reference = comparison["reference"];
+  std::string text = fmt::format("against the reference ({}, {} samples)\n",
+                                 reference["method"].get<std::string>(),
+                                 count_in_words(reference["samples"].get<double>()));
+  if (!comparison["same_scene"].get<bool>())
+    text += "  warning         the reference is of another scene file\n";
+  text += fmt::format("  relative RMSE   {}\n", share(comparison["relative_rmse"]));
+  text += fmt::format("  chi2 / degree   {} over {} bins reliable in both; largest |z| {}\n",
+                      number(comparison["chi2_per_degree"]), comparison["bins"].get<std::size_t>(),
+                      number(comparison["largest_z"]));
+  return text + fmt::format("  covered         {} of these bins, by 95 % t-intervals\n",
+                            share(comparison["covered_share"]));
+}
+
+}  // namespace wander

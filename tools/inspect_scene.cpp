@@ -1,0 +1,115 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/requirements.h"
+#include "mutations/catalogue.h"
+#include "tools/inspection.h"
+
+namespace wander {
+
+namespace {
+
+using nlohmann::ordered_json;
+ordered_json counts_of(const description::Scene& scene) {
+  std::map<std::string, int> shapes;
+  int lights = 0;
+  for (const description::Shape& shape : scene.shapes) {
+    ++shapes[type_of(shape.kind)];
+    if (shape.light) ++lights;
+  }
+  return {{"shapes", shapes}, {"materials", scene.materials.size()}, {"lights", lights}};
+}
+
+ordered_json film_of(const description::Scene& scene) {
+  if (scene.camera) return {{"sensor", "camera"}, {"shape", scene.camera->resolution}};
+  for (const description::Shape& shape : scene.shapes)
+    if (shape.sensor) return {{"sensor", type_of(shape.kind)}, {"shape", shape.sensor->resolution}};
+  return {};
+}
+
+ordered_json requirements_of(const description::Scene& scene) {
+  const Requirements needs =
+      requires_of(scene, std::vector<std::string>(Family::names.begin(), Family::names.end()));
+  return {{"dimension", needs.dimension}, {"colour_channels", needs.colour_channels},
+          {"materials", needs.materials}, {"shapes", needs.shapes},
+          {"specular", needs.specular},   {"caustic_paths_possible", needs.caustic_paths_possible},
+          {"mutations", needs.mutations}, {"left_out", needs.left_out}};
+}
+
+ordered_json json_of(const std::vector<Fault>& faults) {
+  ordered_json list = ordered_json::array();
+  for (const Fault& fault : faults)
+    list.push_back({{"line", fault.line},
+                    {"column", fault.column},
+                    {"pointer", fault.pointer},
+                    {"what", fault.what}});
+  return list;
+}
+
+std::string words_of(const ordered_json& list) {
+  return list.empty() ? "none"
+                      : fmt::format("{}", fmt::join(list.get<std::vector<std::string>>(), ", "));
+}
+
+std::string counted(const ordered_json& counts) {
+  std::vector<std::string> parts;
+  for (const auto& [name, count] : counts.items())
+    parts.push_back(fmt::format("{} {}", count.get<int>(), name));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+const char* yes_or_no(const ordered_json& flag) { return flag.get<bool>() ? "yes" : "no"; }
+
+std::string requires_text(const ordered_json& needs) {
+  std::string text = "  it requires\n";
+  text += fmt::format("    channels      {}\n", needs["colour_channels"].get<int>());
+  text += fmt::format("    materials     {}\n", words_of(needs["materials"]));
+  text += fmt::format("    shapes        {}\n", words_of(needs["shapes"]));
+  text += fmt::format("    specular      {}\n", yes_or_no(needs["specular"]));
+  text += fmt::format("    caustics      {}\n",
+                      needs["caustic_paths_possible"].get<bool>() ? "possible" : "not possible");
+  text += fmt::format("    mutations     {}\n", words_of(needs["mutations"]));
+  for (const auto& [name, reason] : needs["left_out"].items())
+    text += fmt::format("    left out      {}: {}\n", name, reason.get<std::string>());
+  return text;
+}
+
+}  // namespace
+
+ordered_json inspect_scene(const SceneDocument& document) {
+  const description::Scene& scene = document.scene;
+  return {{"schema", "wanderlight-inspection/1"},
+          {"kind", "scene"},
+          {"name", scene.name},
+          {"description", scene.description},
+          {"sha256", document.sha256},
+          {"dimension", scene.dimension},
+          {"max_vertices", scene.max_vertices},
+          {"counts", counts_of(scene)},
+          {"film", film_of(scene)},
+          {"requires", requirements_of(scene)},
+          {"warnings", json_of(document.warnings)}};
+}
+
+std::string text_of_scene(const ordered_json& inspection) {
+  const auto name = inspection["name"].get<std::string>();
+  std::string text = fmt::format("scene {}\n", name.empty() ? "without a name" : name);
+  if (const auto about = inspection["description"].get<std::string>(); !about.empty())
+    text += fmt::format("  {}\n", about);
+  const ordered_json& counts = inspection["counts"];
+  const ordered_json& film = inspection["film"];
+  text += fmt::format("  dimension       {}\n", inspection["dimension"].get<int>());
+  text += fmt::format("  longest paths   {} vertices\n", inspection["max_vertices"].get<int>());
+  text += fmt::format("  shapes          {}\n", counted(counts["shapes"]));
+  text += fmt::format("  lights          {}\n", counts["lights"].get<int>());
+  text += fmt::format("  sensor          {}, {} bins\n", film["sensor"].get<std::string>(),
+                      fmt::join(film["shape"].get<std::vector<int>>(), " x "));
+  text += fmt::format("  sha256          {}\n", inspection["sha256"].get<std::string>());
+  return text + requires_text(inspection["requires"]);
+}
+
+}  // namespace wander

@@ -1,0 +1,25 @@
+// What `wander inspect` has to say about a scene or a run: a JSON document for programs, the same
+// in a dozen lines for people.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "core/output/run_record.h"
+#include "core/scene_file.h"
+
+namespace wander {
+
+nlohmann::ordered_json inspect_scene(const SceneDocument& document);
+std::string text_of_scene(const nlohmann::ordered_json& inspection);
+
+// A run held against another one of the same scene.  Throws UsageError if the films differ in
+// shape.
+nlohmann::ordered_json compare_runs(const RunRecord& run, const RunRecord& reference);
+
+nlohmann::ordered_json inspect_run(const RunRecord& run);
+std::string text_of_run(const RunRecord& run);
+std::string text_of_comparison(const nlohmann::ordered_json& comparison);
+
+}  // namespace wander

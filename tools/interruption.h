@@ -1,0 +1,11 @@
+// Ctrl-C and SIGTERM: the first asks the run to finish early and save, the second kills.
+#pragma once
+
+#include <atomic>
+
+namespace wander {
+
+// Installs the handlers and returns the flag that the first signal sets.
+const std::atomic<bool>& watch_for_interruption();
+
+}  // namespace wander

@@ -1,0 +1,85 @@
+#include "tools/output_place.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <system_error>
+
+#include "core/output/atomic_file.h"
+#include "core/output/run_files.h"
+#include "tools/failure.h"
+
+namespace wander {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path directory_of(const fs::path& file) {
+  return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+void require_our_own(const fs::path& directory, const Global& global) {
+  std::error_code error;
+  const bool empty = fs::is_empty(directory, error);
+  if (error) throw OutputError(directory.string(), error.value());
+  if (empty || global.force || holds_run(directory)) return;
+  throw UsageError(fmt::format(
+      "{} holds files that this program did not make; choose another place or add --force",
+      directory.string()));
+}
+
+// The directories that must be made so that `path` exists, outermost first.
+std::vector<fs::path> missing_directories(fs::path path) {
+  std::vector<fs::path> missing;
+  std::error_code error;
+  while (!path.empty() && !fs::exists(path, error)) {
+    missing.insert(missing.begin(), path);
+    path = path.parent_path();
+  }
+  return missing;
+}
+
+// "run/" names the same directory as "run".
+fs::path without_trailing_slash(const fs::path& path) {
+  return path.has_filename() ? path : path.parent_path();
+}
+
+}  // namespace
+
+void require_replaceable(const fs::path& file, const Global& global) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (fs::is_directory(status)) throw OutputError(file.string(), EISDIR);
+  if (!fs::is_regular_file(status) || global.force || holds_run(directory_of(file))) return;
+  throw UsageError(fmt::format("{} exists; add --force to replace it", file.string()));
+}
+
+OutputDirectory::OutputDirectory(const fs::path& path, const Global& global)
+    : path_(without_trailing_slash(path)) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path_, error);
+  if (fs::is_directory(status)) {
+    require_our_own(path_, global);
+  } else if (fs::exists(status)) {
+    throw OutputError(path_.string(), ENOTDIR);
+  }
+  for (const fs::path& directory : missing_directories(path_)) {
+    if (mkdir(directory.c_str(), 0777) != 0 && errno != EEXIST) {
+      const int reason = errno;
+      for (auto made = made_.rbegin(); made != made_.rend(); ++made) rmdir(made->c_str());
+      throw OutputError(directory.string(), reason);
+    }
+    made_.push_back(directory);
+  }
+  if (access(path_.c_str(), W_OK | X_OK) != 0) throw OutputError(path_.string(), errno);
+}
+
+OutputDirectory::~OutputDirectory() {
+  // Only what is still empty goes.
+  for (auto made = made_.rbegin(); made != made_.rend(); ++made) rmdir(made->c_str());
+}
+
+}  // namespace wander

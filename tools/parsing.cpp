@@ -1,0 +1,159 @@
+#include "tools/parsing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "tools/failure.h"
+#include "tools/nearest.h"
+
+namespace wander {
+
+namespace {
+
+// The whole text as one number; none when anything else is in it.
+template <class Number>
+std::optional<Number> number_in(std::string_view text) {
+  Number number{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return number;
+}
+
+template <class Number>
+Number number_between(std::string_view what, std::string_view text, Number low, Number high) {
+  const auto number = number_in<Number>(text);
+  if (!number || *number < low || *number > high)
+    throw UsageError(
+        fmt::format("{} '{}': allowed are whole numbers from {} to {}", what, text, low, high));
+  return *number;
+}
+
+struct Unit {
+  std::string_view suffix;
+  double factor;
+};
+constexpr std::array time_units{Unit{"s", 1}};
+constexpr std::array sample_units{Unit{"k", 1e3}, Unit{"M", 1e6}, Unit{"G", 1e9}, Unit{"", 1}};
+
+// A positive number followed by one of the units, in terms of the base unit.
+std::optional<double> quantity_in(std::string_view text, std::span<const Unit> units) {
+  for (const Unit& unit : units) {
+    if (!text.ends_with(unit.suffix)) continue;
+    const auto number = number_in<double>(text.substr(0, text.size() - unit.suffix.size()));
+    if (!number || !std::isfinite(*number) || !(*number > 0)) return std::nullopt;
+    return *number * unit.factor;
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::pair<std::string, double> weight_in(std::string_view item) {
+  const std::size_t equals = item.find('=');
+  const std::string_view word = item.substr(0, equals);
+  if (std::find(mutation_words.begin(), mutation_words.end(), word) == mutation_words.end())
+    throw UsageError(
+        fmt::format("--mutations: {}", unknown_word("mutation", word, mutation_words)));
+  const auto weight =
+      equals == std::string_view::npos ? std::nullopt : number_in<double>(item.substr(equals + 1));
+  if (!weight || !std::isfinite(*weight) || *weight < 0)
+    throw UsageError(fmt::format(
+        "--mutations: '{}': allowed is {}=WEIGHT with a weight of zero or more", item, word));
+  return {std::string(word), *weight};
+}
+
+}  // namespace
+
+Budget parse_budget(std::string_view text) {
+  if (const auto seconds = quantity_in(text, time_units)) return TimeBudget{*seconds};
+  const auto samples = quantity_in(text, sample_units);
+  // Beyond 2^53 a count is no longer exact; 1.1k is 1100 even where its product is not.
+  const double count = std::round(samples.value_or(0));
+  if (samples && count >= 1 && count <= 0x1p53 && std::abs(*samples - count) <= 1e-12 * count)
+    return SampleBudget{static_cast<std::uint64_t>(count)};
+  throw UsageError(fmt::format(
+      "budget '{}': allowed are samples (2000000, 300k, 5M) and seconds of wall time (30s, 1.5s)",
+      text));
+}
+
+MutationWeights parse_mutations(std::string_view text) {
+  if (text == "auto") return {};
+  MutationWeights weights;
+  for (const std::string_view item : split(text, ',')) {
+    auto weight = weight_in(item);
+    for (const auto& [word, earlier] : weights)
+      if (word == weight.first)
+        throw UsageError(fmt::format("--mutations: '{}' is given twice", word));
+    weights.push_back(std::move(weight));
+  }
+  if (std::none_of(weights.begin(), weights.end(), [](const auto& w) { return w.second > 0; }))
+    throw UsageError("--mutations: at least one weight must be above zero");
+  return weights;
+}
+
+const MethodName& parse_method(std::string_view text) {
+  std::vector<std::string_view> known;
+  for (const MethodName& method : methods) {
+    if (method.name == text) return method;
+    known.push_back(method.name);
+  }
+  throw UsageError(unknown_word("method", text, known));
+}
+
+std::uint64_t parse_seed(std::string_view text) {
+  return number_between<std::uint64_t>("seed", text, 0, std::numeric_limits<std::uint64_t>::max());
+}
+
+int parse_threads(std::string_view text) { return number_between("threads", text, 1, 1024); }
+
+int parse_max_vertices(std::string_view text) {
+  return number_between("--max-vertices", text, 2, 100000);
+}
+
+ProgressMode parse_progress(std::string_view text) {
+  constexpr std::array<std::string_view, 4> words{"auto", "bar", "json", "none"};
+  constexpr std::array modes{ProgressMode::automatic, ProgressMode::bar, ProgressMode::json,
+                             ProgressMode::none};
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found == words.end()) throw UsageError(unknown_word("progress", text, words));
+  return modes[static_cast<std::size_t>(found - words.begin())];
+}
+
+std::string quoted_for_shell(int count, const char* const* arguments) {
+  constexpr std::string_view plain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
+  std::string line = std::filesystem::path(arguments[0]).filename().string();
+  for (int i = 1; i < count; ++i) {
+    const std::string_view word = arguments[i];
+    line += ' ';
+    if (!word.empty() && word.find_first_not_of(plain) == std::string_view::npos) {
+      line += word;
+      continue;
+    }
+    line += '\'';
+    for (const char letter : word)
+      line += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+    line += '\'';
+  }
+  return line;
+}
+
+}  // namespace wander

@@ -1,0 +1,33 @@
+// The small languages of the command line.  Each parser throws UsageError that says what is
+// allowed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/session.h"
+#include "tools/methods.h"
+#include "tools/names.h"
+#include "tools/verb.h"
+
+namespace wander {
+
+// `2000000`, `300k`, `5M`, `2G` samples; `30s`, `1.5s` of wall time.
+Budget parse_budget(std::string_view text);
+
+// `auto` (no weights) or `WORD=WEIGHT,...` with the words of the catalogue of mutations.  What is
+// not named is not used.
+MutationWeights parse_mutations(std::string_view text);
+
+const MethodName& parse_method(std::string_view text);
+
+std::uint64_t parse_seed(std::string_view text);
+int parse_threads(std::string_view text);
+int parse_max_vertices(std::string_view text);
+ProgressMode parse_progress(std::string_view text);
+
+// The arguments as one line that a shell reads back to the same words.
+std::string quoted_for_shell(int count, const char* const* arguments);
+
+}  // namespace wander

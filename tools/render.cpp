@@ -1,0 +1,153 @@
+// `wander render`: estimates the film of a scene with one method and saves it.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/output/run_files.h"
+#include "core/output/run_json.h"
+#include "core/output/version.h"
+#include "tools/console.h"
+#include "tools/failure.h"
+#include "tools/interruption.h"
+#include "tools/methods.h"
+#include "tools/output_place.h"
+#include "tools/parsing.h"
+#include "tools/progress.h"
+#include "tools/scene_source.h"
+#include "tools/summary.h"
+#include "tools/verb.h"
+
+namespace wander {
+
+namespace {
+
+struct RenderOptions {
+  std::string scene;
+  const MethodName* method = nullptr;
+  Budget budget = TimeBudget{5};
+  MutationWeights mutations;
+  std::optional<int> max_vertices;
+};
+
+void require_sensible(const RenderOptions& options, const Global& global) {
+  if (global.out.empty() && !global.json)
+    throw UsageError("render needs -o DIR (where the film goes), or --json, or both");
+  if (!options.mutations.empty() && options.method->family != MethodFamily::markov_chain)
+    throw UsageError(fmt::format("--mutations is for Markov chain methods (mlt); {} has none",
+                                 options.method->name));
+}
+
+void require_possible(const RenderOptions& options, const description::Scene& scene) {
+  if (options.method->name == "lt-naive" && scene.camera && scene.camera->aperture_radius == 0)
+    throw UsageError(
+        "lt-naive cannot see through a pinhole: its light paths must hit the sensor by chance, and "
+        "no path hits a point; use lt, or a sensor shape");
+}
+
+SceneDocument scene_for(const RenderOptions& options) {
+  SceneDocument document = open_scene(options.scene);
+  if (options.max_vertices) document.scene.max_vertices = *options.max_vertices;
+  spdlog::debug("scene {}: {} shapes, {} materials, at most {} vertices, sha256 {}", options.scene,
+                document.scene.shapes.size(), document.scene.materials.size(),
+                document.scene.max_vertices, document.sha256);
+  return document;
+}
+
+Rendering rendering_of(const SceneDocument& document, const RenderOptions& options,
+                       const Global& global) {
+  Progress progress(global);
+  const Session session{.budget = options.budget,
+                        .seed = global.seed,
+                        .threads = global.threads,
+                        .interrupted = &watch_for_interruption(),
+                        .report = progress.reporter()};
+  Rendering rendering = render(document.scene, options.method->name, options.mutations, session);
+  std::vector<std::string> warnings = scene_warnings(document, options.scene);
+  rendering.warnings.insert(rendering.warnings.begin(), warnings.begin(), warnings.end());
+  return rendering;
+}
+
+Provenance provenance_of(const SceneDocument& document, const Global& global) {
+  return {.scene_name = document.scene.name,
+          .scene_text = document.text,
+          .scene_sha256 = document.sha256,
+          .dimension = document.scene.dimension,
+          .command_line = global.command_line,
+          .version = program_version()};
+}
+
+ExitCode render_scene(const RenderOptions& options, const Global& global) {
+  require_sensible(options, global);
+  const SceneDocument document = scene_for(options);
+  require_possible(options, document.scene);
+  std::optional<OutputDirectory> directory;
+  if (!global.out.empty()) directory.emplace(global.out, global);
+
+  const RunRecord run{rendering_of(document, options, global), provenance_of(document, global)};
+
+  if (directory) write_run(run, document.scene, directory->path());
+  if (!global.quiet) {
+    print_note(summary_of(run.rendering));
+    if (directory) print_note(fmt::format("  saved in        {}\n", directory->path().string()));
+  }
+  for (const std::string& warning : run.rendering.warnings) spdlog::warn("{}", warning);
+  if (global.json) print_json(to_json(run));
+  return run.rendering.complete ? ExitCode::ok : ExitCode::interrupted;
+}
+
+std::string methods_help() {
+  std::string text = "Methods:\n";
+  for (const MethodName& method : methods)
+    text += fmt::format("  {:<9} {}\n", method.name, method.summary);
+  return text;
+}
+
+constexpr const char* details =
+    "\nA budget is a number of samples (2000000, 300k, 5M) or seconds of wall time (30s, 1.5s).  "
+    "The\n"
+    "same seed and number of samples give the same film, whatever the number of threads.\n\n"
+    "DIR receives film.exr, film.csv and run.json.  Ctrl-C saves what was computed so far.\n\n"
+    "Example:\n  wander render scene.json -m bdpt -b 1M -o run\n";
+
+}  // namespace
+
+void add_render(CLI::App& app, Global& global) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* verb = app.add_subcommand("render", "estimate the film of a scene with one method");
+  verb->add_option("SCENE", options->scene, "scene file, or gallery:NAME")
+      ->type_name("")
+      ->required();
+  verb->add_option_function<std::string>(
+          "-m,--method",
+          [options](const std::string& text) { options->method = &parse_method(text); },
+          "how to estimate: see below")
+      ->type_name("METHOD")
+      ->required();
+  verb->add_option_function<std::string>(
+          "-b,--budget",
+          [options](const std::string& text) { options->budget = parse_budget(text); },
+          "how much to compute (default: 5s)")
+      ->type_name("BUDGET");
+  verb->add_option_function<std::string>(
+          "--mutations",
+          [options](const std::string& text) { options->mutations = parse_mutations(text); },
+          "auto (the default: all that the scene can use), or relative weights of these: "
+          "bidirectional=1,primary=1")
+      ->type_name("SPEC");
+  verb->add_option_function<std::string>(
+          "--max-vertices",
+          [options](const std::string& text) { options->max_vertices = parse_max_vertices(text); },
+          "longest paths, both ends counted (default: what the scene says)")
+      ->type_name("N");
+  add_global_options(*verb, global);
+  verb->footer("\n" + methods_help() + details);
+  verb->callback([options, &global] {
+    global.job = [options, &global] { return render_scene(*options, global); };
+  });
+}
+
+}  // namespace wander

@@ -1,0 +1,35 @@
+#include "tools/scene_source.h"
+
+#include <fmt/format.h>
+
+#include <span>
+
+#include "tools/failure.h"
+#include "tools/nearest.h"
+
+namespace wander {
+
+SceneDocument open_scene(const std::string& source) {
+  if (!source.starts_with(gallery_prefix)) return read_scene_file(source);
+  const GalleryScene& scene = gallery_scene(std::string_view(source).substr(gallery_prefix.size()));
+  return parse_scene(scene.text, source);
+}
+
+std::vector<std::string> scene_warnings(const SceneDocument& document, const std::string& source) {
+  std::vector<std::string> lines;
+  for (const Fault& fault : document.warnings)
+    lines.push_back(fmt::format("{}:{}:{}: {}: {}", source, fault.line, fault.column, fault.pointer,
+                                fault.what));
+  return lines;
+}
+
+const GalleryScene& gallery_scene(std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const GalleryScene& scene : std::span(gallery_scenes, gallery_scene_count)) {
+    if (scene.name == name) return scene;
+    known.emplace_back(scene.name);
+  }
+  throw UsageError(unknown_word("scene", name, known));
+}
+
+}  // namespace wander

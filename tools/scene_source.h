@@ -1,0 +1,24 @@
+// Where a verb's SCENE comes from: a scene file, or `gallery:NAME` for one that is built in.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene_file.h"
+#include "tools/gallery_scenes.h"
+
+namespace wander {
+
+inline constexpr std::string_view gallery_prefix = "gallery:";
+
+// Throws SceneFileError for an invalid scene, UsageError for an unknown name.
+SceneDocument open_scene(const std::string& source);
+
+// "SOURCE:LINE:COL: /pointer: what" for each doubt about a valid scene.
+std::vector<std::string> scene_warnings(const SceneDocument& document, const std::string& source);
+
+// Throws UsageError with the nearest name.
+const GalleryScene& gallery_scene(std::string_view name);
+
+}  // namespace wander

@@ -1,0 +1,83 @@
+#include "tools/summary.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "core/output/film_statistics.h"
+#include "tools/wording.h"
+
+namespace wander {
+
+namespace {
+
+std::string work_line(const Rendering& rendering) {
+  std::string line = fmt::format("{}: {} samples", rendering.method,
+                                 count_in_words(static_cast<double>(rendering.samples)));
+  if (rendering.seconds > 0) {
+    line += fmt::format(" in {} ({}/s)", duration_in_words(rendering.seconds),
+                        count_in_words(static_cast<double>(rendering.samples) / rendering.seconds));
+    if (rendering.seed_seconds > 0)
+      line += fmt::format(", of which seed pass {}", duration_in_words(rendering.seed_seconds));
+    line += fmt::format("; {} thread{}", rendering.threads, rendering.threads == 1 ? "" : "s");
+  }
+  line += fmt::format(", seed {}", rendering.seed);
+  if (rendering.chains > 0)
+    line += fmt::format("; {} chains in {} groups", rendering.chains, rendering.groups);
+  return line + (rendering.complete ? "\n" : "; INCOMPLETE, it was interrupted\n");
+}
+
+std::string film_lines(const FilmEstimate& film) {
+  if (film.value.empty())
+    return fmt::format("  film            {} pixels\n", fmt::join(film.shape, " x "));
+  std::string text = fmt::format("  film            {} bins, mean {:.6g}\n",
+                                 fmt::join(film.shape, " x "), mean_value(film));
+  text += fmt::format("  relative error  {}\n", percent(relative_error(film)));
+  return text + fmt::format("  reliable        {} of {} bins ({:.4g} degrees of freedom)\n",
+                            reliable_bins(film), film.value.size(), film.degrees_of_freedom);
+}
+
+std::string normalization_lines(const Normalization& normalization) {
+  std::string text = fmt::format("  normalization   {}", with_error(normalization));
+  text += normalization.method.empty() ? "\n" : fmt::format(" ({})\n", normalization.method);
+  for (const auto& [name, estimate] : normalization.estimates)
+    text += fmt::format("    {:<15} {}\n", name, with_error(estimate));
+  return text;
+}
+
+std::string refusals(const MutationRecord& mutation) {
+  std::vector<std::pair<std::string, std::uint64_t>> failures(mutation.failures.begin(),
+                                                              mutation.failures.end());
+  std::stable_sort(failures.begin(), failures.end(),
+                   [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string text;
+  for (const auto& [reason, count] : failures)
+    text +=
+        fmt::format("{}{} {}", text.empty() ? "" : ", ", reason,
+                    percent(static_cast<double>(count) / static_cast<double>(mutation.proposed)));
+  return text;
+}
+
+std::string mutation_lines(const std::vector<MutationRecord>& mutations) {
+  std::string text =
+      fmt::format("  {:<15} {:>10} {:>11}  failed\n", "mutation", "proposed", "acceptance");
+  for (const MutationRecord& mutation : mutations)
+    text += fmt::format("    {:<13} {:>10} {:>11}  {}\n", mutation.name,
+                        count_in_words(static_cast<double>(mutation.proposed)),
+                        percent(mutation.mean_acceptance), refusals(mutation));
+  return text;
+}
+
+}  // namespace
+
+std::string summary_of(const Rendering& rendering) {
+  std::string text = work_line(rendering) + film_lines(rendering.film);
+  if (rendering.normalization) text += normalization_lines(*rendering.normalization);
+  if (!rendering.mutations.empty()) text += mutation_lines(rendering.mutations);
+  return text;
+}
+
+}  // namespace wander

@@ -1,0 +1,12 @@
+// A run in a dozen lines for people, as `render` prints it when it is done and `inspect` later.
+#pragma once
+
+#include <string>
+
+#include "core/rendering.h"
+
+namespace wander {
+
+std::string summary_of(const Rendering& rendering);
+
+}  // namespace wander
