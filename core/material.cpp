@@ -102,9 +102,10 @@ template <World W> typename W::Local half_vector(typename W::Local a, typename W
 
 template <std::floating_point T> T fresnel(T cosine, T n_incident, T n_transmitted) {
   const T eta = n_incident / n_transmitted;
-  const T squared_sine = eta * eta * (1 - cosine) * (1 + cosine);
-  if (!(squared_sine < 1)) return 1;
-  const T across = std::sqrt(1 - squared_sine);
+  // cos² across = 1 - η² sin², written so that equal indices leave the cosine as it is.
+  const T squared_cosine = (1 - eta) * (1 + eta) + eta * eta * cosine * cosine;
+  if (!(squared_cosine > 0)) return 1;
+  const T across = std::sqrt(squared_cosine);
   const T parallel = (cosine - eta * across) / (cosine + eta * across);
   const T perpendicular = (eta * cosine - across) / (eta * cosine + across);
   return (parallel * parallel + perpendicular * perpendicular) / 2;

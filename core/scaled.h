@@ -54,6 +54,7 @@ class Scaled {
   friend Scaled operator*(Scaled a, Scaled b) { return a *= b; }
   friend Scaled operator/(Scaled a, Scaled b) { return a /= b; }
   friend Scaled operator+(Scaled a, Scaled b) {
+    if (!a.is_finite() || !b.is_finite()) return Scaled(a.mantissa_ + b.mantissa_);
     if (a.mantissa_ == 0) return b;
     if (b.mantissa_ == 0) return a;
     if (a.exponent_ < b.exponent_) std::swap(a, b);

@@ -9,11 +9,12 @@
 
 namespace wander {
 
-// a(x→y) = min(1, f(y) T(y→x) / (f(x) T(x→y))).  Written with comparisons, so that NaN is refused.
+// a(x→y) = min(1, f(y) T(y→x) / (f(x) T(x→y))).  A ratio that is no positive number is refused.
 inline double acceptance(Scaled f_x, Scaled forward, Scaled f_y, Scaled reverse) {
-  const double ratio = ((f_y * reverse) / (f_x * forward)).value();
-  if (!(ratio > 0)) return 0;
-  return ratio < 1 ? ratio : 1;
+  const Scaled ratio = (f_y * reverse) / (f_x * forward);
+  if (!ratio.is_positive()) return 0;
+  const double a = ratio.value();
+  return a < 1 ? a : 1;
 }
 
 // Everything that one step did.  Observers read it before the state moves, so the rejected proposal

@@ -60,4 +60,6 @@ void open_log(Verbosity verbosity) {
   spdlog::set_default_logger(std::move(log));
 }
 
+void print_error(std::string_view message) { spdlog::error("{}", message); }
+
 }  // namespace wander

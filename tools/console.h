@@ -19,5 +19,6 @@ bool stderr_is_terminal();
 enum class Verbosity { quiet, normal, verbose };
 // Log lines go to stderr as `level: text`, in colour on a terminal unless NO_COLOR is set.
 void open_log(Verbosity verbosity);
+void print_error(std::string_view message);
 
 }  // namespace wander

@@ -1,7 +1,6 @@
 // The program `wander`: reads the command line, runs the chosen verb, and turns every failure into
 // a message and an exit code.
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -103,7 +102,7 @@ ExitCode report(const std::exception& problem, const Global& global) {
   if (dynamic_cast<const SceneFileError*>(&problem) != nullptr)
     print_note(message_of(problem) + "\n");
   else
-    spdlog::error("{}", message_of(problem));
+    print_error(message_of(problem));
   if (global.json) {
     try {
       print_json(error_document(problem));

@@ -208,5 +208,33 @@ TEST(Corners, BlockConnectionsThroughThem) {
   }
 }
 
+// Where a curve continues a wall the two compute their common end each in its own way: a ray may
+// slip through within a few roundings of it, and nowhere else.
+TEST(Curves, LetNoLightOutBesideTheirEnds) {
+  Generator g(5);
+  constexpr double quarter = std::numbers::pi / 2;
+  for (int i = 0; i < 300; ++i) {
+    const double r = 0.1 + g.uniform(), half = 1 + g.uniform();
+    const Corner c(g.normal(), g.normal());
+    const Corner ends[] = {c + Corner(-half, -r), c + Corner(half, -r), c + Corner(half, r),
+                           c + Corner(-half, r)};
+    using Curve = Arc<Flatland>;
+    const std::vector<Shape<Flatland>> stadium{
+        Segment<Flatland>(ends[0], ends[1]),
+        Curve(c + Corner(half, 0), r, -quarter, 2 * quarter, Curve::Facing::inward),
+        Segment<Flatland>(ends[2], ends[3]),
+        Curve(c + Corner(-half, 0), r, quarter, 2 * quarter, Curve::Facing::inward)};
+    const Bvh<Flatland> bvh(stadium);
+    for (int k = 0; k < 3000; ++k) {
+      const Corner origin = c + Corner((2 * g.uniform() - 1) * half, (1.8 * g.uniform() - 0.9) * r);
+      const double angle = 4 * quarter * g.uniform(), aside = std::pow(10, -14 + 8 * g.uniform());
+      const Corner aim = ends[k % 4] + aside * Corner(std::cos(angle), std::sin(angle));
+      const Corner across = glm::normalize(left_of(aim - origin));
+      if (std::abs(glm::dot(across, aim - ends[k % 4])) < 1e-14) continue;
+      ASSERT_TRUE(bvh.closest({.origin = origin, .direction = aim - origin}));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace wander::test

@@ -4,7 +4,6 @@
 #include <stdexcept>
 
 #include "core/techniques.h"
-#include "tests/support/generator.h"
 
 namespace wander::test {
 
@@ -16,11 +15,25 @@ bool holds(const Nodes& nodes, int node) {
   return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
 }
 
-void normalize(std::vector<double>& pmf) {
+std::vector<double> random_values(Generator& random, std::size_t count) {
+  std::vector<double> values(count);
+  for (double& value : values) value = random_value(random);
+  return values;
+}
+
+// A pmf over those of n indices that are possible; all zero if none is.
+template <class Possible>
+std::vector<double> random_pmf(Generator& random, int n, const Possible& possible) {
+  std::vector<double> pmf = random_values(random, static_cast<std::size_t>(n));
   double total = 0;
-  for (const double p : pmf) total += p;
+  for (int i = 0; i < n; ++i) {
+    double& p = pmf[static_cast<std::size_t>(i)];
+    if (!possible(i)) p = 0;
+    total += p;
+  }
   if (total > 0)
     for (double& p : pmf) p /= total;
+  return pmf;
 }
 
 }  // namespace
@@ -46,61 +59,49 @@ int Graph::lobe(const SpecularNode& s, int a, int b) {
 Graph::Graph(const GraphPlan& plan) : plan_(plan) {
   const int n = plan.nodes;
   Generator random(plan.seed);
-  const auto values = [&](std::size_t count) {
-    std::vector<double> v(count);
-    for (double& value : v) value = random_value(random);
-    return v;
-  };
-  const auto pmf_over = [&](const auto& possible) {  // over the nodes; no escape
-    std::vector<double> pmf = values(index(n));
-    for (int i = 0; i < n; ++i)
-      if (!possible(i)) pmf[index(i)] = 0;
-    normalize(pmf);
-    return pmf;
-  };
-  const auto walk_over = [&](const auto& possible) {  // the last entry leaves the scene
-    std::vector<double> pmf = pmf_over(possible);
-    for (double& p : pmf) p *= 1 - plan.escape;
-    double total = 0;
-    for (const double p : pmf) total += p;
-    pmf.push_back(1 - total);
-    return pmf;
-  };
-
-  light_pmf_ = pmf_over([&](int i) { return holds(plan.lights, i); });
-  sensor_pmf_ = pmf_over([&](int i) { return holds(plan.sensors, i); });
-  geometry_ = values(pair(n, 0));
+  light_pmf_ = random_pmf(random, n, [&](int i) { return holds(plan.lights, i); });
+  sensor_pmf_ = random_pmf(random, n, [&](int i) { return holds(plan.sensors, i); });
+  geometry_ = random_values(random, pair(n, 0));
   for (int a = 0; a < n; ++a)
     for (int b = 0; b < a; ++b) geometry_[pair(a, b)] = geometry_[pair(b, a)];
   for (int a = 0; a < n; ++a) geometry_[pair(a, a)] = 0;
   for (const auto& [a, b] : plan.blocked) geometry_[pair(a, b)] = geometry_[pair(b, a)] = 0;
 
-  emission_ = values(pair(n, 0));
+  emission_ = random_values(random, pair(n, 0));
   for (const auto& [a, b] : plan.dark) emission_[pair(a, b)] = 0;
-  importance_ = values(pair(n, 0));
+  importance_ = random_values(random, pair(n, 0));
   for (const auto& [a, b] : plan.deaf) importance_[pair(a, b)] = 0;
-  scattering_ = values(pair(n, 0) * index(n));
+  scattering_ = random_values(random, pair(n, 0) * index(n));
   for (const auto& [a, m, b] : plan.one_way) scattering_[triple(a, m, b)] = 0;
+  fill_walks(random);
+}
 
-  const auto is_forbidden = [&](int a, int m, int b) {
-    return std::find(plan.never_walked.begin(), plan.never_walked.end(), std::array{a, m, b}) !=
-           plan.never_walked.end();
+void Graph::fill_walks(Generator& random) {
+  const int n = plan_.nodes;
+  const auto walk_over = [&](const auto& possible) {  // the last entry leaves the scene
+    std::vector<double> pmf = random_pmf(random, n, possible);
+    double stays = 0;
+    for (double& p : pmf) stays += p *= 1 - plan_.escape;
+    pmf.push_back(1 - stays);
+    return pmf;
   };
+  const auto leads = [&](int m, int b) { return geometry(m, b) > 0 && !is_pinhole(b); };
+  const auto& never = plan_.never_walked;
   for (int m = 0; m < n; ++m) {
-    const auto seen = [&](int b) { return geometry(m, b) > 0 && !is_pinhole(b); };
-    light_walk_.push_back(walk_over(seen));
-    sensor_walk_.push_back(walk_over(seen));
+    light_walk_.push_back(walk_over([&](int b) { return leads(m, b); }));
+    sensor_walk_.push_back(walk_over([&](int b) { return leads(m, b); }));
   }
   for (int a = 0; a < n; ++a)
     for (int m = 0; m < n; ++m) {
-      std::vector<double> pmf = walk_over([&](int b) {
-        return geometry(m, b) > 0 && !is_pinhole(b) && !is_black(m) && !is_forbidden(a, m, b);
-      });
-      if (const SpecularNode* s = specular(m)) {
-        pmf = values(s->involution.size() + 1);
-        normalize(pmf);
-      }
-      walk_.push_back(std::move(pmf));
+      const auto possible = [&](int b) {
+        const bool forbidden =
+            std::find(never.begin(), never.end(), std::array{a, m, b}) != never.end();
+        return leads(m, b) && !is_black(m) && !forbidden;
+      };
+      const SpecularNode* s = specular(m);
+      walk_.push_back(s ? random_pmf(random, static_cast<int>(s->involution.size()) + 1,
+                                     [](int) { return true; })
+                        : walk_over(possible));
     }
 }
 

@@ -19,6 +19,7 @@
 
 #include "core/path.h"
 #include "core/transport.h"
+#include "tests/support/generator.h"
 
 namespace wander::test {
 
@@ -136,6 +137,7 @@ class Graph {
     return pair(a, m) * index(plan_.nodes) + index(b);
   }
 
+  void fill_walks(Generator& random);
   const SpecularNode* specular(int node) const;
   bool is_specular(int node) const { return specular(node) != nullptr; }
   bool is_black(int node) const;
