@@ -6,6 +6,7 @@
 
 namespace wander {
 
+// RFC 6901, and safe to print.
 std::string pointer_token(std::string_view key) {
   std::string token = "/";
   for (const char c : printable(key)) {
@@ -50,6 +51,8 @@ bool JsonDocument::holds_byte(JsonNode node, std::size_t byte) const {
   return byte >= byte_of(node) && (next == spans_.size() || byte < spans_[next].key);
 }
 
+// Down from the root, always into the child that holds the node; values are numbered in the order
+// of the text, so that skipping a child is adding its size.
 std::string JsonDocument::pointer_of(JsonNode node) const {
   std::string pointer;
   for (JsonNode at = root(); at.index != node.index;) {

@@ -1,3 +1,5 @@
+// The walk along schema and document that finds what to say.  Where it and valijson disagree about
+// a document, one of them is wrong: a test holds them together.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -97,6 +99,7 @@ class Walk {
   Explanation explanation_;
 };
 
+// References are one step deep in the schema.
 const json& Walk::resolved(const json& schema) const {
   if (!schema.is_object() || !schema.contains("$ref")) return schema;
   const auto [found, is_new] = targets_.try_emplace(&schema, nullptr);
@@ -211,6 +214,8 @@ void Walk::visit_conditions(const json& schema, JsonNode node) {
   visit(keyword(schema, branch), node);
 }
 
+// A value that is wrong by itself is not looked into: of a list that should be a number, no element
+// is worth a message.
 void Walk::visit(const json& unresolved, JsonNode node) {
   const json& schema = resolved(unresolved);
   if (!schema.is_object() || document_.is_spoiled(node) || is_full()) return;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
 
 namespace wander {
 
@@ -18,12 +18,14 @@ bool is_word(char c) {
          c == '+' || c == '-' || c == '.';
 }
 
+// The later bytes of a character in UTF-8.
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 std::size_t bounded(std::size_t found, std::string_view text, std::size_t past) {
   return found == std::string_view::npos ? text.size() : found + past;
 }
 
+// Comments end where nlohmann's parser ends them, at a carriage return too.
 std::size_t skip_blank(std::string_view text, std::size_t i) {
   if (i == 0 && text.starts_with(byte_order_mark)) i = byte_order_mark.size();
   while (i < text.size()) {

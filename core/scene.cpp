@@ -32,6 +32,7 @@ Scene<W>::Scene(SceneParts<W> parts)
     surfaces_.push_back({.material = &material,
                          .is_specular = specular_material<W>(material),
                          .scatters = !std::holds_alternative<Black<W>>(material),
+                         .is_flat = part.shape.index() == flat_shape,
                          .is_sensor = part.is_sensor,
                          .radiance = part.radiance});
     if (part.is_sensor) sensor_ = id;

@@ -21,6 +21,7 @@ template <World W> struct Surface {
   const Material<W>* material = nullptr;
   bool is_specular = false;  // of the material: a class of vertices, never of directions
   bool scatters = false;     // false: black
+  bool is_flat = false;      // no two of its points see each other
   bool is_sensor = false;
   Real radiance = 0;         // 0: no light
   Real light_density = 0;    // of points, when a light is sampled; per unit of area

@@ -30,6 +30,7 @@ std::string lines_of(const std::string& file, const std::vector<Fault>& faults) 
   return lines;
 }
 
+// In the order of the text, no more than a hundred.
 std::vector<Fault> located(std::vector<JsonFault> faults, std::string_view text) {
   std::sort(faults.begin(), faults.end());
   faults.erase(std::unique(faults.begin(), faults.end()), faults.end());

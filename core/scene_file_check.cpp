@@ -101,6 +101,7 @@ void Check::check_materials(const std::vector<JsonMember>& shapes) {
   }
 }
 
+// Light enters and leaves a dielectric on both sides, where no Lambertian light can lie.
 void Check::check_reference(JsonNode shape, JsonNode reference) {
   const auto name = reference->get<std::string>();
   const auto found = material_types_.find(name);
@@ -121,6 +122,7 @@ void Check::check_reference(JsonNode shape, JsonNode reference) {
                        role, type, excerpt(name)));
 }
 
+// A camera counts as a sensor; the first in the order of the file is the one that may stay.
 void Check::check_counts(JsonNode list, const std::vector<JsonMember>& shapes) {
   std::vector<JsonNode> sensors;
   bool has_light = false;
@@ -143,6 +145,7 @@ void Check::check_counts(JsonNode list, const std::vector<JsonMember>& shapes) {
                                  first));
 }
 
+// Only shapes without a fault so far can be built.
 void Check::check_geometry(const std::vector<JsonMember>& shapes) {
   for (const JsonMember& shape : shapes) {
     if (is_full()) return;

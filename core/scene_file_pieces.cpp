@@ -21,6 +21,7 @@ double positive_turn(double radians) {
   return turn < 0 ? turn + full_turn : turn;
 }
 
+// Of an arc: its ends, and those of its four extreme points that it reaches.
 void bound(Piece& piece) {
   piece.low = glm::min(piece.from, piece.to);
   piece.high = glm::max(piece.from, piece.to);

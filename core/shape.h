@@ -18,6 +18,9 @@ template <World W> struct ShapesOf<W, 3> {
 
 template <World W> using Shape = typename ShapesOf<W, W::dimension>::Variant;
 
+// Index of the flat alternative.
+inline constexpr std::size_t flat_shape = 0;
+
 // The first alternative, the flat one, is by far the commonest: it is tested first.
 template <class Visitor, class First, class Second>
 decltype(auto) visit_shape(Visitor&& visitor, const std::variant<First, Second>& shape) {

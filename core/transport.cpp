@@ -92,6 +92,8 @@ bool Transport<W>::extend(Path<W>& x, int i, Toward toward, ScatterNumbers<W> u)
 template <World W> Connection Transport<W>::connect(Path<W>& x, int i) const {
   Vertex<W>& a = x[i];
   const Vertex<W>& b = x[i + 1];
+  const bool same_shape = a.place.shape == b.place.shape && a.place.shape != no_shape;
+  if (same_shape && scene_->surface(a.place.shape).is_flat) return Connection::facing_away;
   const Direction offset = b.place.position - a.place.position;
   const Length distance = glm::length(offset);
   if (!(distance > 0)) return Connection::facing_away;

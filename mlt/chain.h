@@ -35,7 +35,11 @@ template <class Space, class Kernel> class Chain {
 
   // `seed` is a path with f > 0.
   Chain(const Space& space, const Kernel& kernel, const Path<W>& seed)
-      : space_(&space), kernel_(&kernel), current_(seed), proposed_(seed) {
+      : space_(&space),
+        kernel_(&kernel),
+        current_(space.max_vertices()),
+        proposed_(space.max_vertices()) {
+    current_ = seed;  // into memory that holds any path, so that no step allocates
     measure(space, current_);
   }
   Chain(const Space&&, const Kernel&, const Path<W>&) = delete;

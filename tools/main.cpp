@@ -41,7 +41,6 @@ std::string exit_code_table() {
 void build(CLI::App& app, Global& global) {
   app.name("wander");
   app.get_formatter()->label("SUBCOMMAND", "VERB");
-  app.get_formatter()->label("Subcommands", "Verbs");
   app.footer("\n" + exit_code_table() +
              "\n`wander VERB --help` explains one verb.  Data goes to stdout, the rest to stderr.");
   app.set_version_flag("--version", fmt::format("wander {}", program_version()),
@@ -52,6 +51,7 @@ void build(CLI::App& app, Global& global) {
   add_inspect(app, global);
   add_gallery(app, global);
   add_plot(app, global);
+  for (CLI::App* verb : app.get_subcommands({})) verb->group("Verbs");
 }
 
 std::vector<std::string_view> names_of(const std::vector<CLI::App*>& verbs) {

@@ -89,7 +89,10 @@ ExitCode render_scene(const RenderOptions& options, const Global& global) {
 
   const RunRecord run{rendering_of(document, options, global), provenance_of(document, global)};
 
-  if (directory) write_run(run, document.scene, directory->path());
+  if (directory) {
+    write_run(run, document.scene, directory->path());
+    spdlog::debug("wrote film.exr, film.csv and run.json");
+  }
   if (!global.quiet) {
     print_note(summary_of(run.rendering));
     if (directory) print_note(fmt::format("  saved in        {}\n", directory->path().string()));
@@ -106,12 +109,15 @@ std::string methods_help() {
   return text;
 }
 
-constexpr const char* details =
-    "\nA budget is a number of samples (2000000, 300k, 5M) or seconds of wall time (30s, 1.5s).  "
-    "The\n"
-    "same seed and number of samples give the same film, whatever the number of threads.\n\n"
-    "DIR receives film.exr, film.csv and run.json.  Ctrl-C saves what was computed so far.\n\n"
-    "Example:\n  wander render scene.json -m bdpt -b 1M -o run\n";
+constexpr const char* details = R"(
+A budget is a number of samples (2000000, 300k, 5M) or seconds of wall time (30s, 1.5s).
+The same seed and number of samples give the same film, whatever the number of threads.
+
+DIR receives film.exr, film.csv and run.json.  Ctrl-C saves what was computed so far.
+
+Example:
+  wander render scene.json -m bdpt -b 1M -o run
+)";
 
 }  // namespace
 

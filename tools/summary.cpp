@@ -48,22 +48,25 @@ std::string normalization_lines(const Normalization& normalization) {
   return text;
 }
 
+// The commonest reasons, as shares of all proposals.
 std::string refusals(const MutationRecord& mutation) {
+  constexpr std::size_t most_reasons = 3;
   std::vector<std::pair<std::string, std::uint64_t>> failures(mutation.failures.begin(),
                                                               mutation.failures.end());
   std::stable_sort(failures.begin(), failures.end(),
                    [](const auto& a, const auto& b) { return a.second > b.second; });
-  std::string text;
+  failures.resize(std::min(failures.size(), most_reasons));
+  std::vector<std::string> parts;
   for (const auto& [reason, count] : failures)
-    text +=
-        fmt::format("{}{} {}", text.empty() ? "" : ", ", reason,
-                    percent(static_cast<double>(count) / static_cast<double>(mutation.proposed)));
-  return text;
+    parts.push_back(
+        fmt::format("{} {}", reason,
+                    percent(static_cast<double>(count) / static_cast<double>(mutation.proposed))));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string mutation_lines(const std::vector<MutationRecord>& mutations) {
   std::string text =
-      fmt::format("  {:<15} {:>10} {:>11}  failed\n", "mutation", "proposed", "acceptance");
+      fmt::format("  {:<15} {:>10} {:>11}  refused for\n", "mutation", "proposed", "acceptance");
   for (const MutationRecord& mutation : mutations)
     text += fmt::format("    {:<13} {:>10} {:>11}  {}\n", mutation.name,
                         count_in_words(static_cast<double>(mutation.proposed)),
