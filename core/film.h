@@ -21,8 +21,8 @@ inline constexpr double fewest_effective_samples = 100;
 // What a bin has not seen is no part of its error bar.  Techniques (n, s) that are seen less than
 // this often per bin, in effective samples, are rare; they may not carry more than this many
 // standard errors of a bin, or else the bin is not reliable.
-inline constexpr double fewest_technique_samples = 25;
-inline constexpr double most_rare_light = 0.25;
+inline constexpr double fewest_technique_samples = 5;
+inline constexpr double most_rare_light = 0.5;
 
 // Films by path length are kept up to this many numbers.
 inline constexpr std::int64_t most_length_values = std::int64_t{1} << 24;

@@ -42,10 +42,10 @@ void require_sensible(const RenderOptions& options, const Global& global) {
 }
 
 void require_possible(const RenderOptions& options, const description::Scene& scene) {
-  if (options.method->name == "lt-naive" && scene.camera && scene.camera->aperture_radius == 0)
+  if (options.method->name == "lt-naive" && scene.camera)
     throw UsageError(
-        "lt-naive cannot see through a pinhole: its light paths must hit the sensor by chance, and "
-        "no path hits a point; use lt, or a sensor shape");
+        "lt-naive cannot see through a camera: its light paths must hit the sensor by chance, and no "
+        "path hits a pinhole, nor a lens, which is no surface of the scene; use lt, or a sensor shape");
 }
 
 SceneDocument scene_for(const RenderOptions& options) {
