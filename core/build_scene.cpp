@@ -7,8 +7,8 @@ namespace wander {
 
 namespace {
 
-constexpr double smooth_below = 1e-8;        // roughness
-constexpr double matched_below = 1e-12;      // |η - 1|
+constexpr double smooth_below = 1e-8;    // roughness
+constexpr double matched_below = 1e-12;  // |η - 1|
 constexpr double full_turn = 2 * std::numbers::pi;
 
 using Point = Flatland::Point;
@@ -65,7 +65,8 @@ Camera<Flatland> build_camera(const description::Camera& c) {
 
 }  // namespace
 
-template <World W> struct MaterialBuilder {
+template <World W>
+struct MaterialBuilder {
   Material<W> operator()(const description::Black&) const { return Black<W>{}; }
   Material<W> operator()(const description::Diffuse& m) const {
     return grey(m.reflectance) > 0 ? Material<W>(Diffuse<W>{grey(m.reflectance)}) : Black<W>{};
@@ -88,7 +89,8 @@ template <World W> struct MaterialBuilder {
   }
 };
 
-template <World W> Material<W> build_material(const description::MaterialKind& kind) {
+template <World W>
+Material<W> build_material(const description::MaterialKind& kind) {
   return std::visit(MaterialBuilder<W>{}, kind);
 }
 

@@ -13,6 +13,7 @@ std::unique_ptr<const Scene<Flatland>> build_flatland(const description::Scene& 
 
 // The materials as the scene models them: roughness below 1e-8 is smooth, and an interface of rough
 // glass between equal indices lets everything pass.
-template <World W> Material<W> build_material(const description::MaterialKind& kind);
+template <World W>
+Material<W> build_material(const description::MaterialKind& kind);
 
 }  // namespace wander

@@ -8,21 +8,24 @@ namespace wander {
 
 namespace {
 
-constexpr int depth_limit = 60;   // of the tree, hence of the stack of a traversal
-constexpr int small_leaf = 4;     // never split
-constexpr int large_leaf = 16;    // always split, by the median if the heuristic sees no gain
-constexpr double node_cost = 3;   // of visiting a node, in units of a shape's intersection
+constexpr int depth_limit = 60;  // of the tree, hence of the stack of a traversal
+constexpr int small_leaf = 4;    // never split
+constexpr int large_leaf = 16;   // always split, by the median if the heuristic sees no gain
+constexpr double node_cost = 3;  // of visiting a node, in units of a shape's intersection
 
-template <World W> Box<W> join(const Box<W>& a, const Box<W>& b) {
+template <World W>
+Box<W> join(const Box<W>& a, const Box<W>& b) {
   return {glm::min(a.low, b.low), glm::max(a.high, b.high)};
 }
 
-template <World W> double boundary(const Box<W>& box) {
+template <World W>
+double boundary(const Box<W>& box) {
   return static_cast<double>(W::Dimension::boundary(box.high - box.low));
 }
 
 // Bounds hold every point that rounding may produce on the shape.
-template <World W> Box<W> padded(Box<W> box) {
+template <World W>
+Box<W> padded(Box<W> box) {
   using Length = typename W::Length;
   const auto reach = glm::max(glm::abs(box.low), glm::abs(box.high));
   Length most = 0;
@@ -33,7 +36,8 @@ template <World W> Box<W> padded(Box<W> box) {
 
 }  // namespace
 
-template <World W> struct Bvh<W>::Builder {
+template <World W>
+struct Bvh<W>::Builder {
   struct Part {
     Box<W> box;
     typename W::Point center;
@@ -51,7 +55,8 @@ template <World W> struct Bvh<W>::Builder {
 
   void build() {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-      const Box<W> box = padded<W>(visit_shape([](const auto& s) { return s.bounds(); }, shapes[i]));
+      const Box<W> box =
+          padded<W>(visit_shape([](const auto& s) { return s.bounds(); }, shapes[i]));
       parts.push_back({box, (box.low + box.high) / typename W::Length(2), static_cast<ShapeId>(i)});
     }
     bvh.nodes_.emplace_back();
@@ -117,7 +122,10 @@ template <World W> struct Bvh<W>::Builder {
   }
 };
 
-template <World W> Bvh<W>::Bvh(std::span<const Shape<W>> shapes) { Builder{shapes, *this}.build(); }
+template <World W>
+Bvh<W>::Bvh(std::span<const Shape<W>> shapes) {
+  Builder{shapes, *this}.build();
+}
 
 namespace {
 
@@ -142,7 +150,9 @@ typename W::Length enter(const Box<W>& box, const Ray<W>& ray, const typename W:
 
 }  // namespace
 
-template <World W> template <class Leaf> void Bvh<W>::traverse(const Ray<W>& ray, Leaf&& leaf) const {
+template <World W>
+template <class Leaf>
+void Bvh<W>::traverse(const Ray<W>& ray, Leaf&& leaf) const {
   if (nodes_.size() == 1) {
     leaf(nodes_.front(), ray.limit);
     return;
@@ -175,7 +185,8 @@ template <World W> template <class Leaf> void Bvh<W>::traverse(const Ray<W>& ray
   }
 }
 
-template <World W> Hit<W> Bvh<W>::closest(const Ray<W>& ray) const {
+template <World W>
+Hit<W> Bvh<W>::closest(const Ray<W>& ray) const {
   Hit<W> hit;
   traverse(ray, [&](const Node& leaf, Length limit) {
     Ray<W> shortened = ray;
@@ -194,7 +205,8 @@ template <World W> Hit<W> Bvh<W>::closest(const Ray<W>& ray) const {
   return hit;
 }
 
-template <World W> bool Bvh<W>::any(const Ray<W>& ray) const {
+template <World W>
+bool Bvh<W>::any(const Ray<W>& ray) const {
   bool found = false;
   traverse(ray, [&](const Node& leaf, Length limit) {
     for (std::int32_t i = 0; i < leaf.count && !found; ++i) {

@@ -11,7 +11,8 @@
 
 namespace wander {
 
-template <World W> class Bvh {
+template <World W>
+class Bvh {
  public:
   using Length = typename W::Length;
 
@@ -35,7 +36,8 @@ template <World W> class Bvh {
 
   // Visits the leaves that the ray may enter, nearest child first; the visitor returns the distance
   // beyond which nothing matters any more.
-  template <class Leaf> void traverse(const Ray<W>& ray, Leaf&& leaf) const;
+  template <class Leaf>
+  void traverse(const Ray<W>& ray, Leaf&& leaf) const;
 
   std::vector<Node> nodes_;
   std::vector<Item> items_;

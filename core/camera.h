@@ -1,10 +1,11 @@
 // A perspective camera: an emitter of importance that no light path can hit.
 //
-// A film coordinate in [0,1)^(D-1) is a point of a flat film at distance 1.  With |film| the measure
-// of that film and θ the angle to the axis, film points are uniform, so directions have the density
+// A film coordinate in [0,1)^(D-1) is a point of a flat film at distance 1.  With |film| the
+// measure of that film and θ the angle to the axis, film points are uniform, so directions have the
+// density
 //   p(ω) = 1 / (|film| cos^(D+1) θ)     with respect to projected angle,
-// and We = p(x) p(ω): the camera measures mean radiance.  A pinhole's position carries a formal δ in
-// We and in p(x) alike.  A thin lens keeps the film's image at `focus_distance` sharp.
+// and We = p(x) p(ω): the camera measures mean radiance.  A pinhole's position carries a formal δ
+// in We and in p(x) alike.  A thin lens keeps the film's image at `focus_distance` sharp.
 #pragma once
 
 #include <optional>
@@ -13,7 +14,8 @@
 
 namespace wander {
 
-template <World W> struct Camera {
+template <World W>
+struct Camera {
   using Real = typename W::Real;
   using Length = typename W::Length;
   using Point = typename W::Point;
@@ -73,8 +75,8 @@ template <World W> struct Camera {
     if (!film_coordinate(lens, direction)) return 0;
     Length film = 1;
     for (const Length e : extent) film *= e;
-    return static_cast<Real>(
-        1 / (film * W::Dimension::film_spread(Length(glm::dot(direction, axis)))));
+    return static_cast<Real>(1 /
+                             (film * W::Dimension::film_spread(Length(glm::dot(direction, axis)))));
   }
 };
 

@@ -22,12 +22,15 @@
 
 namespace wander {
 
-template <int D> struct Dimension;
+template <int D>
+struct Dimension;
 
 // An orthonormal frame with the normal as its last axis.
-template <int D, class T> struct Frame;
+template <int D, class T>
+struct Frame;
 
-template <class T> struct Frame<2, T> {
+template <class T>
+struct Frame<2, T> {
   Vec<2, T> normal;
 
   Vec<2, T> tangent() const { return {normal.y, -normal.x}; }
@@ -35,7 +38,8 @@ template <class T> struct Frame<2, T> {
   Vec<2, T> to_world(Vec<2, T> v) const { return v.x * tangent() + v.y * normal; }
 };
 
-template <class T> struct Frame<3, T> {
+template <class T>
+struct Frame<3, T> {
   Vec<3, T> normal;
 
   // Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
@@ -57,47 +61,82 @@ template <class T> struct Frame<3, T> {
   }
 };
 
-template <> struct Dimension<2> {
-  template <class T> static constexpr T half_space = T(2);
-  template <class T> static T spread(T distance) { return distance; }
+template <>
+struct Dimension<2> {
+  template <class T>
+  static constexpr T half_space = T(2);
+  template <class T>
+  static T spread(T distance) {
+    return distance;
+  }
   // cos^(D+1): a unit of film at distance 1 seen through a pinhole (We = 1 / (|film| cos^(D+1))).
-  template <class T> static T film_spread(T cosine) { return cosine * cosine * cosine; }
-  template <class T> static T index_spread(T index) { return index; }  // n^(D-1)
-  template <class T> static T boundary(Vec<2, T> extents) { return extents.x + extents.y; }
-  template <class T> static T cosine(Vec<2, T> local) { return local.y; }
-  template <class T> static T squared_sine(Vec<2, T> local) { return local.x * local.x; }
+  template <class T>
+  static T film_spread(T cosine) {
+    return cosine * cosine * cosine;
+  }
+  template <class T>
+  static T index_spread(T index) {
+    return index;
+  }  // n^(D-1)
+  template <class T>
+  static T boundary(Vec<2, T> extents) {
+    return extents.x + extents.y;
+  }
+  template <class T>
+  static T cosine(Vec<2, T> local) {
+    return local.y;
+  }
+  template <class T>
+  static T squared_sine(Vec<2, T> local) {
+    return local.x * local.x;
+  }
 
   // Uniform points of the unit ball of one dimension less, such as a lens; its measure.
-  template <class T> static constexpr T ball_measure = T(2);
-  template <class T> static std::array<T, 1> ball_sample(std::array<T, 1> u) { return {2 * u[0] - 1}; }
-  template <class T> static std::array<T, 1> ball_invert(std::array<T, 1> p) { return {(p[0] + 1) / 2}; }
+  template <class T>
+  static constexpr T ball_measure = T(2);
+  template <class T>
+  static std::array<T, 1> ball_sample(std::array<T, 1> u) {
+    return {2 * u[0] - 1};
+  }
+  template <class T>
+  static std::array<T, 1> ball_invert(std::array<T, 1> p) {
+    return {(p[0] + 1) / 2};
+  }
 
   // Density of directions ∝ cos θ: sin θ is uniform.
-  template <class T> static Vec<2, T> cosine_sample(std::array<T, 1> u) {
+  template <class T>
+  static Vec<2, T> cosine_sample(std::array<T, 1> u) {
     const T sine = 2 * u[0] - 1;
     return {sine, std::sqrt((1 - sine) * (1 + sine))};
   }
-  template <class T> static std::array<T, 1> cosine_invert(Vec<2, T> local) {
+  template <class T>
+  static std::array<T, 1> cosine_invert(Vec<2, T> local) {
     return {(local.x + 1) / 2};
   }
 
-  template <class T> static T reflection(T) { return T(0.5); }
+  template <class T>
+  static T reflection(T) {
+    return T(0.5);
+  }
 
   // Marginal of the three-dimensional GGX slopes: P(m) = α²/(2 (α²+m²)^(3/2)), D = P/cos³.
-  template <class T> static T ggx(T alpha, Vec<2, T> h) {
+  template <class T>
+  static T ggx(T alpha, Vec<2, T> h) {
     const T s = alpha * alpha * h.y * h.y + h.x * h.x;
     return alpha * alpha / (2 * s * std::sqrt(s));
   }
 
   // Microfacet normals visible from v, density |v·h|⁺ G1(v) D(h) / cos θ_v: stretched by α, the
   // normals fill a half circle whose projection along v is uniform.
-  template <class T> static Vec<2, T> visible_normal_sample(T alpha, Vec<2, T> v, std::array<T, 1> u) {
+  template <class T>
+  static Vec<2, T> visible_normal_sample(T alpha, Vec<2, T> v, std::array<T, 1> u) {
     const Vec<2, T> w = glm::normalize(Vec<2, T>(alpha * v.x, v.y));
     const T p = u[0] * (1 + w.y) - w.y;
     const Vec<2, T> h = p * across(w) + std::sqrt(std::max(T(0), 1 - p * p)) * w;
     return glm::normalize(Vec<2, T>(alpha * h.x, std::max(T(0), h.y)));
   }
-  template <class T> static std::array<T, 1> visible_normal_invert(T alpha, Vec<2, T> v, Vec<2, T> h) {
+  template <class T>
+  static std::array<T, 1> visible_normal_invert(T alpha, Vec<2, T> v, Vec<2, T> h) {
     const Vec<2, T> w = glm::normalize(Vec<2, T>(alpha * v.x, v.y));
     const Vec<2, T> stretched = glm::normalize(Vec<2, T>(h.x, alpha * h.y));
     return {(glm::dot(stretched, across(w)) + w.y) / (1 + w.y)};
@@ -105,57 +144,87 @@ template <> struct Dimension<2> {
 
  private:
   // The axis across w on which the half circle reaches from -w.y to 1.
-  template <class T> static Vec<2, T> across(Vec<2, T> w) {
+  template <class T>
+  static Vec<2, T> across(Vec<2, T> w) {
     return w.x > 0 ? Vec<2, T>(-w.y, w.x) : Vec<2, T>(w.y, -w.x);
   }
 };
 
-template <> struct Dimension<3> {
-  template <class T> static constexpr T half_space = std::numbers::pi_v<T>;
-  template <class T> static T spread(T distance) { return distance * distance; }
-  template <class T> static T film_spread(T cosine) { return (cosine * cosine) * (cosine * cosine); }
-  template <class T> static T index_spread(T index) { return index * index; }
-  template <class T> static T boundary(Vec<3, T> e) { return e.x * e.y + e.y * e.z + e.z * e.x; }
-  template <class T> static T cosine(Vec<3, T> local) { return local.z; }
-  template <class T> static T squared_sine(Vec<3, T> local) {
+template <>
+struct Dimension<3> {
+  template <class T>
+  static constexpr T half_space = std::numbers::pi_v<T>;
+  template <class T>
+  static T spread(T distance) {
+    return distance * distance;
+  }
+  template <class T>
+  static T film_spread(T cosine) {
+    return (cosine * cosine) * (cosine * cosine);
+  }
+  template <class T>
+  static T index_spread(T index) {
+    return index * index;
+  }
+  template <class T>
+  static T boundary(Vec<3, T> e) {
+    return e.x * e.y + e.y * e.z + e.z * e.x;
+  }
+  template <class T>
+  static T cosine(Vec<3, T> local) {
+    return local.z;
+  }
+  template <class T>
+  static T squared_sine(Vec<3, T> local) {
     return local.x * local.x + local.y * local.y;
   }
 
-  template <class T> static constexpr T ball_measure = std::numbers::pi_v<T>;
-  template <class T> static std::array<T, 2> ball_sample(std::array<T, 2> u) {
+  template <class T>
+  static constexpr T ball_measure = std::numbers::pi_v<T>;
+  template <class T>
+  static std::array<T, 2> ball_sample(std::array<T, 2> u) {
     const T radius = std::sqrt(u[0]), phi = 2 * std::numbers::pi_v<T> * u[1];
     return {radius * std::cos(phi), radius * std::sin(phi)};
   }
-  template <class T> static std::array<T, 2> ball_invert(std::array<T, 2> p) {
+  template <class T>
+  static std::array<T, 2> ball_invert(std::array<T, 2> p) {
     return {p[0] * p[0] + p[1] * p[1], turn(p[0], p[1])};
   }
 
   // Density of directions ∝ cos θ: a uniform point of the disk, lifted (Malley).
-  template <class T> static Vec<3, T> cosine_sample(std::array<T, 2> u) {
+  template <class T>
+  static Vec<3, T> cosine_sample(std::array<T, 2> u) {
     const std::array<T, 2> p = ball_sample(u);
     return {p[0], p[1], std::sqrt(1 - u[0])};
   }
-  template <class T> static std::array<T, 2> cosine_invert(Vec<3, T> local) {
+  template <class T>
+  static std::array<T, 2> cosine_invert(Vec<3, T> local) {
     return ball_invert(std::array<T, 2>{local.x, local.y});
   }
 
-  template <class T> static T reflection(T cosine_oh) { return 1 / (4 * cosine_oh); }
+  template <class T>
+  static T reflection(T cosine_oh) {
+    return 1 / (4 * cosine_oh);
+  }
 
-  template <class T> static T ggx(T alpha, Vec<3, T> h) {
+  template <class T>
+  static T ggx(T alpha, Vec<3, T> h) {
     const T s = alpha * alpha * h.z * h.z + squared_sine(h);
     return alpha * alpha / (std::numbers::pi_v<T> * s * s);
   }
 
   // As in the plane; in space the mirror images of the visible normals of a sphere fill a spherical
   // cap evenly (Dupuy and Benyoub 2023).
-  template <class T> static Vec<3, T> visible_normal_sample(T alpha, Vec<3, T> v, std::array<T, 2> u) {
+  template <class T>
+  static Vec<3, T> visible_normal_sample(T alpha, Vec<3, T> v, std::array<T, 2> u) {
     const Vec<3, T> w = glm::normalize(Vec<3, T>(alpha * v.x, alpha * v.y, v.z));
     const T phi = 2 * std::numbers::pi_v<T> * u[1], z = (1 - u[0]) * (1 + w.z) - w.z;
     const T sine = std::sqrt(std::clamp((1 - z) * (1 + z), T(0), T(1)));
     const Vec<3, T> h = Vec<3, T>(sine * std::cos(phi), sine * std::sin(phi), z) + w;
     return glm::normalize(Vec<3, T>(alpha * h.x, alpha * h.y, std::max(T(0), h.z)));
   }
-  template <class T> static std::array<T, 2> visible_normal_invert(T alpha, Vec<3, T> v, Vec<3, T> h) {
+  template <class T>
+  static std::array<T, 2> visible_normal_invert(T alpha, Vec<3, T> v, Vec<3, T> h) {
     const Vec<3, T> w = glm::normalize(Vec<3, T>(alpha * v.x, alpha * v.y, v.z));
     const Vec<3, T> stretched = glm::normalize(Vec<3, T>(h.x, h.y, alpha * h.z));
     const Vec<3, T> mirrored = 2 * glm::dot(w, stretched) * stretched - w;
@@ -164,7 +233,8 @@ template <> struct Dimension<3> {
 
  private:
   // Angle of (x, y) as a fraction of a turn, in [0, 1).
-  template <class T> static T turn(T x, T y) {
+  template <class T>
+  static T turn(T x, T y) {
     const T fraction = std::atan2(y, x) / (2 * std::numbers::pi_v<T>);
     return fraction < 0 ? std::min(fraction + 1, std::nextafter(T(1), T(0))) : fraction;
   }

@@ -29,7 +29,8 @@ std::uint64_t samples_per_unit(int bins) {
 }
 
 // What one unit works in.
-template <World W> struct Slot {
+template <World W>
+struct Slot {
   PathSampler<Transport<W>> sampler;
   SampleFilm film;
 };
@@ -82,8 +83,8 @@ Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Sess
   };
   const auto merge = [&](std::uint64_t, int index) {
     film.merge(slots[static_cast<std::size_t>(index)].film);
-    run.report({limit.fraction(film.samples(), run.seconds()), film.samples(), run.seconds(),
-                "sampling"});
+    run.report(
+        {limit.fraction(film.samples(), run.seconds()), film.samples(), run.seconds(), "sampling"});
   };
   const auto more = [&](std::uint64_t unit) {
     return !run.is_interrupted() && (unit == 0 || run.seconds() < limit.seconds);
@@ -97,8 +98,8 @@ Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Sess
                       .threads = run.threads(),
                       .seconds = run.seconds(),
                       .film = film.estimate(scene.resolution())};
-  rendering.complete = std::isinf(limit.seconds) ? film.samples() == limit.samples
-                                                 : !run.is_interrupted();
+  rendering.complete =
+      std::isinf(limit.seconds) ? film.samples() == limit.samples : !run.is_interrupted();
   return rendering;
 }
 

@@ -18,10 +18,14 @@ constexpr bool is_specular(Event e) { return e == Event::reflection || e == Even
 // Letter of the event in the class of a path, such as LDSE (Heckbert's notation, light first).
 constexpr char letter(Event e) {
   switch (e) {
-    case Event::emission: return 'L';
-    case Event::scattering: return 'D';
-    case Event::detection: return 'E';
-    default: return 'S';
+    case Event::emission:
+      return 'L';
+    case Event::scattering:
+      return 'D';
+    case Event::detection:
+      return 'E';
+    default:
+      return 'S';
   }
 }
 

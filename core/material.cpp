@@ -20,26 +20,31 @@ std::optional<typename W::Local> refract(typename W::Local w, typename W::Local 
   return glm::normalize(-eta * along - std::sqrt(1 - squared_sine) * h);
 }
 
-template <World W> typename W::Local mirrored(typename W::Local w) {
+template <World W>
+typename W::Local mirrored(typename W::Local w) {
   w = -w;
   w[W::dimension - 1] = -w[W::dimension - 1];
   return w;
 }
 
-template <World W> typename W::Local upward(typename W::Local h) {
+template <World W>
+typename W::Local upward(typename W::Local h) {
   return W::Dimension::cosine(h) < 0 ? -h : h;
 }
 
 // Index of refraction on the side of w.
-template <World W, class M> typename W::Real index_at(const M& glass, typename W::Local w) {
+template <World W, class M>
+typename W::Real index_at(const M& glass, typename W::Local w) {
   return W::Dimension::cosine(w) > 0 ? glass.exterior : glass.interior;
 }
-template <World W, class M> typename W::Real index_across(const M& glass, typename W::Local w) {
+template <World W, class M>
+typename W::Real index_across(const M& glass, typename W::Local w) {
   return W::Dimension::cosine(w) > 0 ? glass.interior : glass.exterior;
 }
 
 // Smith: Λ = (-1 + sqrt(1 + α² tan² θ)) / 2 for GGX, in both dimensions.
-template <World W> typename W::Real smith_lambda(typename W::Real alpha, typename W::Local w) {
+template <World W>
+typename W::Real smith_lambda(typename W::Real alpha, typename W::Local w) {
   using Real = typename W::Real;
   const Real cosine = W::Dimension::cosine(w);
   const Real a = alpha * alpha * W::Dimension::squared_sine(w) / (cosine * cosine);
@@ -65,11 +70,12 @@ typename W::Square visible_normal_numbers(typename W::Real alpha, typename W::Lo
 }
 
 // The terms of a microfacet model that do not depend on what happens at the facet.
-template <World W> struct Facets {
+template <World W>
+struct Facets {
   using Real = typename W::Real;
-  Real density;          // D(h)
+  Real density;  // D(h)
   Real lambda_light, lambda_sensor;
-  Real cosines;          // |cos θ_light cos θ_sensor|
+  Real cosines;            // |cos θ_light cos θ_sensor|
   Real light_h, sensor_h;  // |ω·h|
 
   Facets(Real alpha, typename W::Local h, typename W::Local to_light, typename W::Local to_sensor)
@@ -94,13 +100,15 @@ Scattering<W> reflect_at_facets(const Facets<W>& facets, typename W::Real probab
           common * facets.visible_from_sensor()};
 }
 
-template <World W> typename W::Local half_vector(typename W::Local a, typename W::Local b) {
+template <World W>
+typename W::Local half_vector(typename W::Local a, typename W::Local b) {
   return upward<W>(glm::normalize(a + b));
 }
 
 }  // namespace
 
-template <std::floating_point T> T fresnel(T cosine, T n_incident, T n_transmitted) {
+template <std::floating_point T>
+T fresnel(T cosine, T n_incident, T n_transmitted) {
   const T eta = n_incident / n_transmitted;
   // cos² across = 1 - η² sin², written so that equal indices leave the cosine as it is.
   const T squared_cosine = (1 - eta) * (1 + eta) + eta * eta * cosine * cosine;
@@ -147,7 +155,8 @@ std::optional<ScatterSample<W>> Mirror<W>::sample(Local known, ScatterNumbers<W>
   return ScatterSample<W>{mirrored<W>(known), Event::reflection};
 }
 
-template <World W> InvertedNumbers<W> Mirror<W>::invert(Local, Local, Event) const {
+template <World W>
+InvertedNumbers<W> Mirror<W>::invert(Local, Local, Event) const {
   return {.direction_is_free = true};
 }
 
@@ -207,8 +216,7 @@ std::optional<ScatterSample<W>> RoughConductor<W>::sample(Local known, ScatterNu
 
 template <World W>
 InvertedNumbers<W> RoughConductor<W>::invert(Local known, Local sampled, Event) const {
-  return {.direction =
-              visible_normal_numbers<W>(roughness, known, half_vector<W>(known, sampled))};
+  return {.direction = visible_normal_numbers<W>(roughness, known, half_vector<W>(known, sampled))};
 }
 
 // ---- rough dielectric ---------------------------------------------------------------------------
@@ -281,10 +289,10 @@ InvertedNumbers<W> RoughDielectric<W>::invert(Local known, Local sampled, Event)
           .lobe_high = reflects ? f : 1};
 }
 
-#define WANDER_MATERIALS(World)       \
-  template struct Diffuse<World>;     \
-  template struct Mirror<World>;      \
-  template struct Dielectric<World>;  \
+#define WANDER_MATERIALS(World)          \
+  template struct Diffuse<World>;        \
+  template struct Mirror<World>;         \
+  template struct Dielectric<World>;     \
   template struct RoughConductor<World>; \
   template struct RoughDielectric<World>;
 WANDER_MATERIALS(Flatland)

@@ -3,8 +3,8 @@
 // All values and densities are with respect to *projected angle* dσ⊥ = |cos θ| dω, so a density of
 // directions times the geometry term G is a density of area, and where a direction is sampled in
 // proportion to the cosine nothing has to be divided by it.
-//   value          f_s(light → sensor)                     [Veach 1997, ch. 5: not symmetric in glass]
-//   toward_sensor  density of sampling the sensor's direction, given the light's
+//   value          f_s(light → sensor)                     [Veach 1997, ch. 5: not symmetric in
+//   glass] toward_sensor  density of sampling the sensor's direction, given the light's
 //   toward_light   density of sampling the light's direction, given the sensor's
 // For specular events all three are coefficients of one formal δ with ∫ δ n^(D-1) dσ⊥ = 1 on either
 // side of the surface (n: index of refraction there); it cancels in every ratio, and étendue
@@ -25,36 +25,42 @@
 
 namespace wander {
 
-template <World W> struct Scattering {
+template <World W>
+struct Scattering {
   using Real = typename W::Real;
   Real value = 0, toward_sensor = 0, toward_light = 0;
 };
 
 // The random numbers that one scattering consumes.
-template <World W> struct ScatterNumbers {
+template <World W>
+struct ScatterNumbers {
   typename W::Square direction{};
   typename W::Real lobe = 0;
 };
 
-template <World W> struct ScatterSample {
+template <World W>
+struct ScatterSample {
   typename W::Local direction;
   Event event;
 };
 
 // Numbers that sample a given direction.  What is not fixed by it lies in an interval: `lobe` is
 // uniform in [lobe_low, lobe_high), and a direction with `direction_is_free` needs any number.
-template <World W> struct InvertedNumbers {
+template <World W>
+struct InvertedNumbers {
   typename W::Square direction{};
   typename W::Real lobe_low = 0, lobe_high = 1;
   bool direction_is_free = false;
 };
 
 // Does light on these two sides of the surface stay on one side of it?
-template <World W> bool same_side(typename W::Local a, typename W::Local b) {
+template <World W>
+bool same_side(typename W::Local a, typename W::Local b) {
   return W::Dimension::cosine(a) * W::Dimension::cosine(b) > 0;
 }
 
-template <World W> struct Black {
+template <World W>
+struct Black {
   using Local = typename W::Local;
   Scattering<W> evaluate(Event, Local, Local) const { return {}; }
   std::optional<ScatterSample<W>> sample(Local, ScatterNumbers<W>) const { return {}; }
@@ -64,7 +70,8 @@ template <World W> struct Black {
 };
 
 // Lambert: f = ρ / c with c = ∫ cos θ dω; both sides.
-template <World W> struct Diffuse {
+template <World W>
+struct Diffuse {
   using Real = typename W::Real;
   using Local = typename W::Local;
   Real reflectance;
@@ -76,7 +83,8 @@ template <World W> struct Diffuse {
   static constexpr bool specular = false, has_lobes = false, scatters = true;
 };
 
-template <World W> struct Mirror {
+template <World W>
+struct Mirror {
   using Real = typename W::Real;
   using Local = typename W::Local;
   Real reflectance;
@@ -89,7 +97,8 @@ template <World W> struct Mirror {
 };
 
 // A smooth interface; the inside is behind the normal.  Fresnel: the unpolarised average.
-template <World W> struct Dielectric {
+template <World W>
+struct Dielectric {
   using Real = typename W::Real;
   using Local = typename W::Local;
   Real interior, exterior;  // indices of refraction
@@ -103,7 +112,8 @@ template <World W> struct Dielectric {
 
 // GGX microfacets with a constant Fresnel factor, single scattering, height-correlated Smith
 // masking G = 1/(1 + Λ(i) + Λ(o)); normals are sampled as visible from the known direction.
-template <World W> struct RoughConductor {
+template <World W>
+struct RoughConductor {
   using Real = typename W::Real;
   using Local = typename W::Local;
   Real roughness, reflectance;
@@ -116,7 +126,8 @@ template <World W> struct RoughConductor {
 };
 
 // GGX microfacets of glass (Walter et al. 2007, in either dimension).
-template <World W> struct RoughDielectric {
+template <World W>
+struct RoughDielectric {
   using Real = typename W::Real;
   using Local = typename W::Local;
   Real roughness, interior, exterior;
@@ -134,6 +145,7 @@ using Material = std::variant<Diffuse<W>, Black<W>, Mirror<W>, Dielectric<W>, Ro
 
 // Fresnel reflectance of unpolarised light, the mean of both polarisations.  `cosine` > 0 on the
 // side of index n_incident; total internal reflection gives 1.
-template <std::floating_point T> T fresnel(T cosine, T n_incident, T n_transmitted);
+template <std::floating_point T>
+T fresnel(T cosine, T n_incident, T n_transmitted);
 
 }  // namespace wander

@@ -22,14 +22,16 @@
 namespace wander {
 
 // Where a vertex is.  Pointland has one of its own.
-template <class W> struct Place {
+template <class W>
+struct Place {
   typename W::Point position{};
   typename W::Direction normal{};
   typename W::Direction to_sensor{};  // unit vector along the edge towards the sensor
   ShapeId shape = no_shape;
 };
 
-template <class W> struct Vertex {
+template <class W>
+struct Vertex {
   using Real = typename W::Real;
   typename W::Place place;
   double geometry = 0;
@@ -38,7 +40,8 @@ template <class W> struct Vertex {
 };
 
 // Memory is reserved once, for the longest path of a scene; no operation below allocates.
-template <class W> class Path {
+template <class W>
+class Path {
  public:
   explicit Path(int max_vertices) {
     vertices_.reserve(static_cast<std::size_t>(max_vertices));
@@ -68,14 +71,16 @@ template <class W> class Path {
 };
 
 // f(x) = Π value Π geometry, with respect to the area product.
-template <class W> Scaled contribution(const Path<W>& x) {
+template <class W>
+Scaled contribution(const Path<W>& x) {
   Scaled f = double(x[x.size() - 1].value);
   for (int i = 0; i + 1 < x.size(); ++i) f *= double(x[i].value) * x[i].geometry;
   return f;
 }
 
 // Such as LDSE: the event of each vertex, light first.
-template <class W> std::string path_class(const Path<W>& x) {
+template <class W>
+std::string path_class(const Path<W>& x) {
   std::string letters;
   for (int i = 0; i < x.size(); ++i) letters += letter(x[i].event);
   return letters;

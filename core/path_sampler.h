@@ -1,7 +1,7 @@
 // Bidirectional path sampling [Veach 1997, ch. 10]: one subpath from a light, one from the sensor,
-// and every connection of the two that a set of techniques allows.  With other sets the same text is
-// path tracing (s <= 1), light tracing (t <= 1), their naive forms (s = 0, t = 0) and each single
-// technique.
+// and every connection of the two that a set of techniques allows.  With other sets the same text
+// is path tracing (s <= 1), light tracing (t <= 1), their naive forms (s = 0, t = 0) and each
+// single technique.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,8 @@
 
 namespace wander {
 
-template <class Space> class PathSampler {
+template <class Space>
+class PathSampler {
  public:
   using W = typename Space::Universe;
 
@@ -31,7 +32,8 @@ template <class Space> class PathSampler {
 
   // Calls sink(path, s, w f / p) for every path of one pair of subpaths that contributes.  The sum
   // over a sample has the expectation b = ∫ f.
-  template <class Random, class Sink> void sample(Random& random, Sink&& sink) {
+  template <class Random, class Sink>
+  void sample(Random& random, Sink&& sink) {
     walk_from_light(random);
     walk_from_sensor(random);
     for (int t = std::max(2, set_.fewest_sensor); t <= sensor_count_; ++t) hit_light(t, sink);
@@ -60,23 +62,28 @@ template <class Space> class PathSampler {
     }
     return count;
   }
-  template <class Random> void walk_from_light(Random& random) {
+  template <class Random>
+  void walk_from_light(Random& random) {
     light_count_ = std::min({set_.most_light, longest_});
     if (light_count_ == 0) return;
     space_.begin_light(light_, 0, random);
     // Only a technique without sensor vertices needs the last one.
-    if (set_.fewest_sensor > 0) light_count_ = std::min(light_count_, longest_ - set_.fewest_sensor);
+    if (set_.fewest_sensor > 0)
+      light_count_ = std::min(light_count_, longest_ - set_.fewest_sensor);
     light_count_ = walk(light_, 0, Toward::sensor, light_count_, random);
   }
-  template <class Random> void walk_from_sensor(Random& random) {
+  template <class Random>
+  void walk_from_sensor(Random& random) {
     sensor_count_ = std::min(set_.most_sensor, longest_);
     if (sensor_count_ == 0) return;
     space_.begin_sensor(sensor_, sensor_index(1), random);
-    if (set_.fewest_light > 0) sensor_count_ = std::min(sensor_count_, longest_ - set_.fewest_light);
+    if (set_.fewest_light > 0)
+      sensor_count_ = std::min(sensor_count_, longest_ - set_.fewest_light);
     sensor_count_ = walk(sensor_, sensor_index(1), Toward::light, sensor_count_, random);
   }
 
-  template <class Sink> void hit_light(int t, Sink&& sink) {
+  template <class Sink>
+  void hit_light(int t, Sink&& sink) {
     if (!set_.holds(0, t) || !space_.is_light(sensor_[sensor_index(t)])) return;
     joined_.resize(t);
     joined_.copy(sensor_, sensor_index(t), t, 0);
@@ -84,7 +91,8 @@ template <class Space> class PathSampler {
     space_.evaluate(joined_, 0);
     deliver(0, sink);
   }
-  template <class Sink> void hit_sensor(int s, Sink&& sink) {
+  template <class Sink>
+  void hit_sensor(int s, Sink&& sink) {
     if (!set_.holds(s, 0) || !space_.is_sensor(light_[s - 1])) return;
     joined_.resize(s);
     joined_.copy(light_, 0, s, 0);
@@ -94,7 +102,8 @@ template <class Space> class PathSampler {
   }
   // The only vertex of a subpath is sampled anew for each partner: its samples are as good, and
   // independent.
-  template <class Random, class Sink> void connect(int s, int t, Random& random, Sink&& sink) {
+  template <class Random, class Sink>
+  void connect(int s, int t, Random& random, Sink&& sink) {
     if (!space_.can_connect(light_[s - 1]) || !space_.can_connect(sensor_[sensor_index(t)])) return;
     joined_.resize(s + t);
     joined_.copy(light_, 0, s, 0);
@@ -106,7 +115,8 @@ template <class Space> class PathSampler {
     space_.evaluate(joined_, s);
     deliver(s, sink);
   }
-  template <class Sink> void deliver(int s, Sink&& sink) {
+  template <class Sink>
+  void deliver(int s, Sink&& sink) {
     const double c = unweighted_contribution(joined_, s);
     if (!(c > 0) || !std::isfinite(c)) return;
     const double weighted = c * mis_weight(space_, joined_, s, set_, heuristic_);

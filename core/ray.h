@@ -16,7 +16,8 @@ namespace wander {
 using ShapeId = std::int32_t;
 inline constexpr ShapeId no_shape = -1;  // a point in the open, such as a camera
 
-template <World W> struct Ray {
+template <World W>
+struct Ray {
   typename W::Point origin;
   typename W::Direction direction;
   ShapeId from = no_shape;  // the shape that the origin lies on
@@ -24,12 +25,14 @@ template <World W> struct Ray {
   typename W::Length limit = std::numeric_limits<typename W::Length>::infinity();
 };
 
-template <World W> struct SurfacePoint {
+template <World W>
+struct SurfacePoint {
   typename W::Point position;
   typename W::Direction normal;  // of unit length, the side that emits and listens
 };
 
-template <World W> struct Hit {
+template <World W>
+struct Hit {
   ShapeId shape = no_shape;
   typename W::Length distance = std::numeric_limits<typename W::Length>::infinity();
 
@@ -37,7 +40,8 @@ template <World W> struct Hit {
 };
 
 // The rays that a computation cast, for a benchmark to cast again alone.
-template <World W> struct RayLog {
+template <World W>
+struct RayLog {
   std::vector<Ray<W>> closest, any;
 };
 

@@ -23,8 +23,9 @@ struct FilmEstimate {
   std::vector<double> value{};           // per bin
   std::vector<double> standard_error{};  // per bin; NaN when it cannot be told
   std::vector<bool> reliable{};          // per bin: enough effective samples and groups
-  double degrees_of_freedom = 0;       // of the t-intervals around every bin
-  std::map<int, std::vector<double>> by_length{};  // number of vertices -> film of those paths alone
+  double degrees_of_freedom = 0;         // of the t-intervals around every bin
+  std::map<int, std::vector<double>>
+      by_length{};  // number of vertices -> film of those paths alone
 };
 
 struct NormalizationEstimate : Estimate {
@@ -35,19 +36,19 @@ struct LengthShare : Estimate {
   int vertices = 0;
 };
 
-struct Normalization : Estimate {             // b, the mean of the film
-  std::string method{};                         // the estimate that `value` is
+struct Normalization : Estimate {  // b, the mean of the film
+  std::string method{};            // the estimate that `value` is
   std::map<std::string, NormalizationEstimate> estimates{};
-  std::vector<LengthShare> by_length{};         // sums to `value`
+  std::vector<LengthShare> by_length{};  // sums to `value`
 };
 
 struct MutationRecord {
   std::string name{};
   std::uint64_t proposed = 0, accepted = 0;
   double mean_acceptance = 0;                       // mean of a(x -> y) over all proposals
-  std::map<std::string, std::uint64_t> failures{};    // reason -> count
-  std::vector<double> proposed_per_bin{};             // proposals made while the path was in this bin
-  std::vector<double> acceptance_per_bin{};           // mean acceptance of those proposals
+  std::map<std::string, std::uint64_t> failures{};  // reason -> count
+  std::vector<double> proposed_per_bin{};           // proposals made while the path was in this bin
+  std::vector<double> acceptance_per_bin{};         // mean acceptance of those proposals
 };
 
 struct Rendering {
@@ -62,7 +63,7 @@ struct Rendering {
   FilmEstimate film;
   std::optional<Normalization> normalization{};
   int chains = 0, groups = 0;               // Markov chain methods only
-  std::vector<MutationRecord> mutations{};    // Markov chain methods only
+  std::vector<MutationRecord> mutations{};  // Markov chain methods only
   std::vector<std::string> warnings{};
 };
 

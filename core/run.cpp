@@ -12,7 +12,9 @@ namespace wander {
 
 namespace {
 
-int available_threads() { return std::max(1, static_cast<int>(std::thread::hardware_concurrency())); }
+int available_threads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
 
 struct Ticket {
   std::uint64_t unit;

@@ -29,8 +29,8 @@ class Run {
 };
 
 // Calls work(unit, slot) for unit = 0, 1, … on all threads, and merge(unit, slot) in the order of
-// the units, one at a time.  A slot is the memory that one unit works in; there are `slots` of them.
-// Ends after `units`, or when more(unit) says no.
+// the units, one at a time.  A slot is the memory that one unit works in; there are `slots` of
+// them. Ends after `units`, or when more(unit) says no.
 struct Units {
   std::uint64_t units;
   std::function<bool(std::uint64_t unit)> more;

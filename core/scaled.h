@@ -23,7 +23,7 @@ class Scaled {
     return s;
   }
 
-  double mantissa() const { return mantissa_; }            // 0, or ±[1, 2), or not finite
+  double mantissa() const { return mantissa_; }  // 0, or ±[1, 2), or not finite
   std::int64_t exponent() const { return exponent_; }
   bool is_zero() const { return mantissa_ == 0; }
   bool is_finite() const { return std::isfinite(mantissa_); }
@@ -36,7 +36,9 @@ class Scaled {
     if (exponent_ < -4000) return 0 * mantissa_;
     return std::ldexp(mantissa_, static_cast<int>(exponent_));
   }
-  double log() const { return std::log(mantissa_) + static_cast<double>(exponent_) * 0x1.62e42fefa39efp-1; }
+  double log() const {
+    return std::log(mantissa_) + static_cast<double>(exponent_) * 0x1.62e42fefa39efp-1;
+  }
 
   Scaled& operator*=(Scaled other) {
     mantissa_ *= other.mantissa_;
@@ -87,8 +89,8 @@ class Scaled {
       return;
     }
     exponent_ += field - 1023;
-    mantissa_ = std::bit_cast<double>((bits & ~(std::uint64_t{0x7ff} << 52)) |
-                                      (std::uint64_t{1023} << 52));
+    mantissa_ =
+        std::bit_cast<double>((bits & ~(std::uint64_t{0x7ff} << 52)) | (std::uint64_t{1023} << 52));
   }
 
   double mantissa_ = 0;

@@ -6,11 +6,13 @@ namespace wander {
 
 namespace {
 
-template <World W> typename W::Length measure(const Shape<W>& shape) {
+template <World W>
+typename W::Length measure(const Shape<W>& shape) {
   return visit_shape([](const auto& s) { return s.measure(); }, shape);
 }
 
-template <World W> bool specular_material(const Material<W>& material) {
+template <World W>
+bool specular_material(const Material<W>& material) {
   return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::specular; }, material);
 }
 
@@ -50,7 +52,8 @@ Scene<W>::Scene(SceneParts<W> parts)
   bvh_ = Bvh<W>(shapes_);
 }
 
-template <World W> int Scene<W>::bin(typename W::Square film) const {
+template <World W>
+int Scene<W>::bin(typename W::Square film) const {
   // Film coordinates name the fastest axis first, `resolution` last.
   int index = 0;
   for (std::size_t k = film.size(); k-- > 0;) {
@@ -61,11 +64,13 @@ template <World W> int Scene<W>::bin(typename W::Square film) const {
   return index;
 }
 
-template <World W> bool Scene<W>::has_specular() const {
+template <World W>
+bool Scene<W>::has_specular() const {
   return std::ranges::any_of(surfaces_, &Surface<W>::is_specular);
 }
 
-template <World W> auto Scene<W>::sensor_measure() const -> Length {
+template <World W>
+auto Scene<W>::sensor_measure() const -> Length {
   return measure<W>(shape(sensor_));
 }
 

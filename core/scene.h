@@ -1,9 +1,9 @@
 // A scene: surfaces with materials, lights, and one sensor.
 //
 // Lights and sensors are one idea seen from two ends: a one-sided Lambertian emitter on a surface,
-// of radiance or of importance.  A light is chosen in proportion to its power and then uniformly, so
-// the density of a point on it is L / Σ L |A|.  A sensor's importance is We = 1/|sensor|: the mean of
-// the film is the mean irradiance, b = ∫ f.
+// of radiance or of importance.  A light is chosen in proportion to its power and then uniformly,
+// so the density of a point on it is L / Σ L |A|.  A sensor's importance is We = 1/|sensor|: the
+// mean of the film is the mean irradiance, b = ∫ f.
 #pragma once
 
 #include <memory>
@@ -16,20 +16,22 @@
 
 namespace wander {
 
-template <World W> struct Surface {
+template <World W>
+struct Surface {
   using Real = typename W::Real;
   const Material<W>* material = nullptr;
   bool is_specular = false;  // of the material: a class of vertices, never of directions
   bool scatters = false;     // false: black
   bool is_flat = false;      // no two of its points see each other
   bool is_sensor = false;
-  Real radiance = 0;         // 0: no light
-  Real light_density = 0;    // of points, when a light is sampled; per unit of area
+  Real radiance = 0;       // 0: no light
+  Real light_density = 0;  // of points, when a light is sampled; per unit of area
 
   bool is_light() const { return radiance > 0; }
 };
 
-template <World W> struct SceneParts {
+template <World W>
+struct SceneParts {
   struct Part {
     Shape<W> shape;
     std::size_t material;
@@ -43,7 +45,8 @@ template <World W> struct SceneParts {
   int max_vertices = 8;
 };
 
-template <World W> class Scene {
+template <World W>
+class Scene {
  public:
   using Universe = W;
   using Real = typename W::Real;
@@ -79,7 +82,8 @@ template <World W> class Scene {
     return bvh_.any(ray);
   }
   SurfacePoint<W> surface_point(const Ray<W>& ray, const Hit<W>& hit) const {
-    return visit_shape([&](const auto& s) { return s.surface(ray, hit.distance); }, shape(hit.shape));
+    return visit_shape([&](const auto& s) { return s.surface(ray, hit.distance); },
+                       shape(hit.shape));
   }
 
   // Writes down every ray from now on, for benchmarks; null ends it.  One thread only.

@@ -27,9 +27,10 @@ struct ProgressReport {
 struct Session {
   Budget budget = TimeBudget{5};
   std::uint64_t seed = 1;
-  int threads = 0;  // 0: all cores
-  const std::atomic<bool>* interrupted = nullptr;     // set by a signal handler: finish early, save
-  std::function<void(const ProgressReport&)> report;  // called from one thread at a time; may be empty
+  int threads = 0;                                 // 0: all cores
+  const std::atomic<bool>* interrupted = nullptr;  // set by a signal handler: finish early, save
+  std::function<void(const ProgressReport&)>
+      report;  // called from one thread at a time; may be empty
 };
 
 }  // namespace wander

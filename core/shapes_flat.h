@@ -12,11 +12,13 @@
 
 namespace wander {
 
-template <World W> struct Box {
+template <World W>
+struct Box {
   typename W::Point low, high;
 };
 
-template <World W> class Segment {
+template <World W>
+class Segment {
  public:
   using Length = typename W::Length;
   using Point = typename W::Point;
@@ -57,7 +59,8 @@ template <World W> class Segment {
 };
 
 // An arc runs counter-clockwise; a circle is an arc of a full turn.
-template <World W> class Arc {
+template <World W>
+class Arc {
  public:
   using Length = typename W::Length;
   using Point = typename W::Point;

@@ -5,7 +5,8 @@
 
 namespace wander {
 
-template <World W> class Sphere {
+template <World W>
+class Sphere {
  public:
   using Length = typename W::Length;
   using Point = typename W::Point;
@@ -28,7 +29,8 @@ template <World W> class Sphere {
   Length radius_, facing_;
 };
 
-template <World W> class Parallelogram {
+template <World W>
+class Parallelogram {
  public:
   using Length = typename W::Length;
   using Point = typename W::Point;

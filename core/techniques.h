@@ -62,14 +62,16 @@ double mis_weight(const Space& space, const Path<W>& x, int s, const TechniqueSe
 }
 
 // p_{s,t}(x), with respect to the area product.
-template <class W> Scaled technique_density(const Path<W>& x, int s) {
+template <class W>
+Scaled technique_density(const Path<W>& x, int s) {
   Scaled p = 1;
   for (int i = 0; i < x.size(); ++i) p *= double(i < s ? x[i].from_light : x[i].from_sensor);
   return p;
 }
 
 // f(x) / p_{s,t}(x).  Factors are paired so that each is of the order of one.
-template <class W> double unweighted_contribution(const Path<W>& x, int s) {
+template <class W>
+double unweighted_contribution(const Path<W>& x, int s) {
   const int n = x.size();
   double c = s > 0 && s < n ? x[s - 1].geometry : 1;
   for (int i = 0; i < s; ++i) c *= (i > 0 ? x[i - 1].geometry : 1) * x[i].value / x[i].from_light;
@@ -80,7 +82,8 @@ template <class W> double unweighted_contribution(const Path<W>& x, int s) {
 
 // Writes f(x), the intensity Σ_s p_{s,t}(x) over the techniques of a sampler that gives each the
 // same chance, and the balance weights w_s = p_{s,t} / Σ, s = 0…n, into the path.
-template <class Space, class W> void measure(const Space& space, Path<W>& x) {
+template <class Space, class W>
+void measure(const Space& space, Path<W>& x) {
   const int n = x.size();
   x.contribution = contribution(x);
   auto& weights = x.weights();

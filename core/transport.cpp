@@ -6,8 +6,10 @@ namespace wander {
 
 namespace {
 
-template <World W> typename W::Local local(const Vertex<W>& v, typename W::Direction direction) {
-  return typename W::Local(Frame<W::dimension, typename W::Length>{v.place.normal}.to_local(direction));
+template <World W>
+typename W::Local local(const Vertex<W>& v, typename W::Direction direction) {
+  return typename W::Local(
+      Frame<W::dimension, typename W::Length>{v.place.normal}.to_local(direction));
 }
 
 // G without visibility: |cos cos'| / r^(D-1) for the edge along `direction`.
@@ -19,7 +21,8 @@ double geometry(const Vertex<W>& a, const Vertex<W>& b, typename W::Direction di
       W::Dimension::spread(distance));
 }
 
-template <World W> void place(Vertex<W>& v, const SurfacePoint<W>& p, ShapeId shape, Event event) {
+template <World W>
+void place(Vertex<W>& v, const SurfacePoint<W>& p, ShapeId shape, Event event) {
   v.place.position = p.position;
   v.place.normal = p.normal;
   v.place.shape = shape;
@@ -28,29 +31,34 @@ template <World W> void place(Vertex<W>& v, const SurfacePoint<W>& p, ShapeId sh
 
 // The event at a surface as long as no direction away from it has been sampled.  On a specular
 // surface it is some specular event, which forbids a connection there.
-template <World W> Event undecided(const Surface<W>& surface) {
+template <World W>
+Event undecided(const Surface<W>& surface) {
   return surface.is_specular ? Event::reflection : Event::scattering;
 }
 
 }  // namespace
 
-template <World W> void Transport<W>::begin_light(Path<W>& x, int i, PointNumbers<W> u) const {
+template <World W>
+void Transport<W>::begin_light(Path<W>& x, int i, PointNumbers<W> u) const {
   const auto pmf = scene_->light_pmf();
   std::size_t light = 0;
   double left = u.light;
   while (light + 1 < pmf.size() && left >= pmf[light]) left -= pmf[light++];
   const ShapeId shape = scene_->lights()[light];
-  const auto point = visit_shape([&](const auto& s) { return s.sample(u.position); }, scene_->shape(shape));
+  const auto point =
+      visit_shape([&](const auto& s) { return s.sample(u.position); }, scene_->shape(shape));
   place<W>(x[i], point, shape, Event::emission);
 }
 
-template <World W> void Transport<W>::begin_sensor(Path<W>& x, int i, PointNumbers<W> u) const {
+template <World W>
+void Transport<W>::begin_sensor(Path<W>& x, int i, PointNumbers<W> u) const {
   if (const auto& camera = scene_->camera()) {
     place<W>(x[i], {camera->sample_lens(u.position), camera->axis}, no_shape, Event::detection);
     return;
   }
   const ShapeId shape = scene_->sensor();
-  const auto point = visit_shape([&](const auto& s) { return s.sample(u.position); }, scene_->shape(shape));
+  const auto point =
+      visit_shape([&](const auto& s) { return s.sample(u.position); }, scene_->shape(shape));
   place<W>(x[i], point, shape, Event::detection);
 }
 
@@ -64,10 +72,9 @@ auto Transport<W>::sample_direction(Path<W>& x, int i, Toward toward, ScatterNum
   if (v.event == Event::emission || v.event == Event::detection)
     return frame.to_world(Direction(W::Dimension::cosine_sample(u.direction)));
 
-  const Direction known =
-      toward == Toward::sensor ? -x[i - 1].place.to_sensor : v.place.to_sensor;
-  const auto sample = std::visit(
-      [&](const auto& m) { return m.sample(local(v, known), u); }, material(v));
+  const Direction known = toward == Toward::sensor ? -x[i - 1].place.to_sensor : v.place.to_sensor;
+  const auto sample =
+      std::visit([&](const auto& m) { return m.sample(local(v, known), u); }, material(v));
   if (!sample) return {};
   v.event = sample->event;
   return glm::normalize(frame.to_world(Direction(sample->direction)));
@@ -77,7 +84,8 @@ template <World W>
 bool Transport<W>::extend(Path<W>& x, int i, Toward toward, ScatterNumbers<W> u) const {
   const auto direction = sample_direction(x, i, toward, u);
   if (!direction) return false;
-  const Ray<W> ray{.origin = x[i].place.position, .direction = *direction, .from = x[i].place.shape};
+  const Ray<W> ray{
+      .origin = x[i].place.position, .direction = *direction, .from = x[i].place.shape};
   const Hit<W> hit = scene_->closest(ray);
   if (!hit || !(hit.distance > 0)) return false;
 
@@ -89,7 +97,8 @@ bool Transport<W>::extend(Path<W>& x, int i, Toward toward, ScatterNumbers<W> u)
   return lower.geometry > 0;
 }
 
-template <World W> Connection Transport<W>::connect(Path<W>& x, int i) const {
+template <World W>
+Connection Transport<W>::connect(Path<W>& x, int i) const {
   Vertex<W>& a = x[i];
   const Vertex<W>& b = x[i + 1];
   const bool same_shape = a.place.shape == b.place.shape && a.place.shape != no_shape;
@@ -109,7 +118,8 @@ template <World W> Connection Transport<W>::connect(Path<W>& x, int i) const {
 }
 
 // Lambertian emission: radiance L on the normal's side, directions sampled ∝ cos: p⊥ = 1/c.
-template <World W> void Transport<W>::evaluate_emission(Path<W>& x) const {
+template <World W>
+void Transport<W>::evaluate_emission(Path<W>& x) const {
   Vertex<W>& v = x[0];
   const Surface<W>& light = scene_->surface(v.place.shape);
   const bool faces = glm::dot(v.place.to_sensor, v.place.normal) > 0;
@@ -120,7 +130,8 @@ template <World W> void Transport<W>::evaluate_emission(Path<W>& x) const {
 }
 
 // Lambertian response We = 1/|sensor|, sampled like an emission; or a camera's.
-template <World W> void Transport<W>::evaluate_detection(Path<W>& x, int i) const {
+template <World W>
+void Transport<W>::evaluate_detection(Path<W>& x, int i) const {
   Vertex<W>& v = x[i];
   const Direction direction = -x[i - 1].place.to_sensor;
   const double edge = x[i - 1].geometry;
@@ -139,11 +150,13 @@ template <World W> void Transport<W>::evaluate_detection(Path<W>& x, int i) cons
   x[i - 1].from_sensor = faces ? static_cast<Real>(edge / c) : 0;
 }
 
-template <World W> void Transport<W>::evaluate(Path<W>& x, int i) const {
+template <World W>
+void Transport<W>::evaluate(Path<W>& x, int i) const {
   Vertex<W>& v = x[i];
   if (v.event == Event::emission) return evaluate_emission(x);
   if (v.event == Event::detection) return evaluate_detection(x, i);
-  const Local to_light = local(v, -x[i - 1].place.to_sensor), to_sensor = local(v, v.place.to_sensor);
+  const Local to_light = local(v, -x[i - 1].place.to_sensor),
+              to_sensor = local(v, v.place.to_sensor);
   const Scattering<W> s = std::visit(
       [&](const auto& m) { return m.evaluate(v.event, to_light, to_sensor); }, material(v));
   const double q = survival(v);
@@ -152,12 +165,15 @@ template <World W> void Transport<W>::evaluate(Path<W>& x, int i) const {
   x[i - 1].from_sensor = static_cast<Real>(q * s.toward_light * x[i - 1].geometry);
 }
 
-template <World W> bool Transport<W>::has_lobes(const Vertex<W>& v) const {
+template <World W>
+bool Transport<W>::has_lobes(const Vertex<W>& v) const {
   if (v.event == Event::emission || v.event == Event::detection) return false;
-  return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::has_lobes; }, material(v));
+  return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::has_lobes; },
+                    material(v));
 }
 
-template <World W> auto Transport<W>::albedo(const Vertex<W>& v) const -> Real {
+template <World W>
+auto Transport<W>::albedo(const Vertex<W>& v) const -> Real {
   if (v.event == Event::emission || v.event == Event::detection) return 1;
   return std::visit([](const auto& m) { return m.survival(); }, material(v));
 }
@@ -177,7 +193,8 @@ InvertedNumbers<W> Transport<W>::inverted(const Path<W>& x, int i, Toward toward
       material(v));
 }
 
-template <World W> PointNumbers<W> Transport<W>::inverted_point(const Path<W>& x, int i) const {
+template <World W>
+PointNumbers<W> Transport<W>::inverted_point(const Path<W>& x, int i) const {
   const Vertex<W>& v = x[i];
   if (v.place.shape == no_shape) {
     if (scene_->camera()->is_pinhole()) return {};
@@ -187,14 +204,16 @@ template <World W> PointNumbers<W> Transport<W>::inverted_point(const Path<W>& x
                                   scene_->shape(v.place.shape))};
 }
 
-template <World W> double Transport<W>::light_choice(ShapeId shape, double u) const {
+template <World W>
+double Transport<W>::light_choice(ShapeId shape, double u) const {
   double before = 0;
   std::size_t light = 0;
   while (scene_->lights()[light] != shape) before += scene_->light_pmf()[light++];
   return before + u * scene_->light_pmf()[light];
 }
 
-template <World W> auto Transport<W>::film(const Path<W>& x) const -> typename W::Square {
+template <World W>
+auto Transport<W>::film(const Path<W>& x) const -> typename W::Square {
   const Vertex<W>& last = x[x.size() - 1];
   if (last.place.shape == no_shape)
     return *scene_->camera()->film_coordinate(last.place.position,

@@ -24,12 +24,14 @@ enum class Roulette { off, by_albedo };
 enum class Connection { open, occluded, facing_away };
 
 // The random numbers that a first vertex consumes.
-template <World W> struct PointNumbers {
+template <World W>
+struct PointNumbers {
   double light = 0;  // which light
   typename W::Square position{};
 };
 
-template <World W> class Transport {
+template <World W>
+class Transport {
  public:
   using Universe = W;
   using Real = typename W::Real;
@@ -42,10 +44,12 @@ template <World W> class Transport {
   const Scene<W>& scene() const { return *scene_; }
   int max_vertices() const { return scene_->max_vertices(); }
 
-  template <class Random> void begin_light(Path<W>& x, int i, Random& random) const {
+  template <class Random>
+  void begin_light(Path<W>& x, int i, Random& random) const {
     begin_light(x, i, point_numbers(random));
   }
-  template <class Random> void begin_sensor(Path<W>& x, int i, Random& random) const {
+  template <class Random>
+  void begin_sensor(Path<W>& x, int i, Random& random) const {
     begin_sensor(x, i, point_numbers(random));
   }
   void begin_light(Path<W>& x, int i, PointNumbers<W> u) const;
@@ -53,7 +57,8 @@ template <World W> class Transport {
 
   // Samples a direction at x_i, the end of a subpath, and writes the vertex that it meets at
   // i + 1 or i - 1, with the edge between.  False: the walk ends at x_i.
-  template <class Random> bool extend(Path<W>& x, int i, Toward toward, Random& random) const {
+  template <class Random>
+  bool extend(Path<W>& x, int i, Toward toward, Random& random) const {
     return extend(x, i, toward, scatter_numbers(random, x[i]));
   }
   bool extend(Path<W>& x, int i, Toward toward, ScatterNumbers<W> u) const;
@@ -97,7 +102,8 @@ template <World W> class Transport {
  private:
   using Local = typename W::Local;
 
-  template <class Random> PointNumbers<W> point_numbers(Random& random) const {
+  template <class Random>
+  PointNumbers<W> point_numbers(Random& random) const {
     PointNumbers<W> u;
     u.light = random.uniform();
     for (auto& number : u.position) number = static_cast<Real>(random.uniform());

@@ -15,16 +15,18 @@
 
 namespace wander {
 
-template <class W> struct Place;  // where a vertex of a path is: path.h
+template <class W>
+struct Place;  // where a vertex of a path is: path.h
 
-template <int D, std::floating_point R> struct Universe {
+template <int D, std::floating_point R>
+struct Universe {
   static constexpr int dimension = D;
   using Real = R;
   using Length = std::conditional_t<std::same_as<R, float>, double, R>;
   using Point = Vec<D, Length>;
-  using Direction = Vec<D, Length>;       // of unit length, in the coordinates of the scene
-  using Local = Vec<D, R>;                // of unit length, in a frame whose last axis is the normal
-  using Square = std::array<R, D - 1>;    // what a position on a surface, or a direction, is made of
+  using Direction = Vec<D, Length>;     // of unit length, in the coordinates of the scene
+  using Local = Vec<D, R>;              // of unit length, in a frame whose last axis is the normal
+  using Square = std::array<R, D - 1>;  // what a position on a surface, or a direction, is made of
   using Dimension = wander::Dimension<D>;
   using Place = wander::Place<Universe>;
 };

@@ -1,5 +1,5 @@
-// Metropolis–Hastings [Metropolis et al. 1953, Hastings 1970; Veach and Guibas 1997] on light paths,
-// with the target density f(x) / b.
+// Metropolis–Hastings [Metropolis et al. 1953, Hastings 1970; Veach and Guibas 1997] on light
+// paths, with the target density f(x) / b.
 #pragma once
 
 #include <utility>
@@ -19,17 +19,19 @@ inline double acceptance(Scaled f_x, Scaled forward, Scaled f_y, Scaled reverse)
 
 // Everything that one step did.  Observers read it before the state moves, so the rejected proposal
 // is still there; the chain knows none of them.
-template <class W> struct Step {
-  const Path<W>& current;    // x
-  const Path<W>& proposed;   // y; of use only if `outcome` is a Proposal
-  int mutation;              // index in the mixture
+template <class W>
+struct Step {
+  const Path<W>& current;   // x
+  const Path<W>& proposed;  // y; of use only if `outcome` is a Proposal
+  int mutation;             // index in the mixture
   Proposed outcome;
-  double acceptance;         // a(x→y); 0 when there is no proposal
-  Reason reason;             // none: accepted
+  double acceptance;  // a(x→y); 0 when there is no proposal
+  Reason reason;      // none: accepted
   bool accepted() const { return reason == Reason::none; }
 };
 
-template <class Space, class Kernel> class Chain {
+template <class Space, class Kernel>
+class Chain {
  public:
   using W = typename Space::Universe;
 
@@ -47,7 +49,8 @@ template <class Space, class Kernel> class Chain {
 
   const Path<W>& current() const { return current_; }
 
-  template <class Random, class Observer> void step(Random& random, Observer&& observe) {
+  template <class Random, class Observer>
+  void step(Random& random, Observer&& observe) {
     auto [mutation, outcome] = kernel_->propose(*space_, current_, proposed_, random);
     Reason reason = Reason::metropolis;
     double a = 0;
@@ -72,7 +75,8 @@ template <class Space, class Kernel> class Chain {
   // Why a proposal cannot be weighed, or `none`.
   Reason flaw_of(const Proposal& p) const {
     if (proposed_.contribution.is_zero()) return Reason::zero_contribution;
-    if (!proposed_.contribution.is_positive() || !p.forward.is_positive()) return Reason::not_finite;
+    if (!proposed_.contribution.is_positive() || !p.forward.is_positive())
+      return Reason::not_finite;
     if (p.reverse.is_zero()) return Reason::not_reversible;
     return p.reverse.is_positive() ? Reason::none : Reason::not_finite;
   }

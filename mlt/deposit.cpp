@@ -44,8 +44,8 @@ void GroupsFilm::add_dark_group() {
   }
 }
 
-// A bin is reliable when its value is known as well as `fewest_effective_samples` independent events
-// would tell it.
+// A bin is reliable when its value is known as well as `fewest_effective_samples` independent
+// events would tell it.
 FilmEstimate GroupsFilm::estimate() const {
   FilmEstimate film{.shape = resolution_, .value = mean_};
   film.degrees_of_freedom = std::max(0, groups_ - 1);

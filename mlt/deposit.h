@@ -1,5 +1,5 @@
-// From steps to a film.  Expected values [Veach 1997, 11.3.2; "waste recycling"]: each step deposits
-// 1 - a at x and a at y, whatever was decided, so the deposits of n steps sum to n.
+// From steps to a film.  Expected values [Veach 1997, 11.3.2; "waste recycling"]: each step
+// deposits 1 - a at x and a at y, whatever was decided, so the deposits of n steps sum to n.
 #pragma once
 
 #include <map>
@@ -39,8 +39,9 @@ void deposit(const Space& space, const Step<typename Space::Universe>& step, int
 }
 
 // The film of all groups.  Group g estimates a bin by bins · b_g · (its share of the deposits); the
-// groups are independent, so their mean has the standard error of a mean (which is the delete-a-group
-// jackknife), with G - 1 degrees of freedom.  A group whose slice found no light contributes zero.
+// groups are independent, so their mean has the standard error of a mean (which is the
+// delete-a-group jackknife), with G - 1 degrees of freedom.  A group whose slice found no light
+// contributes zero.
 class GroupsFilm {
  public:
   // With fewer groups than this no error bar is trusted.

@@ -25,7 +25,8 @@ Reason join(const Space& space, Path<typename Space::Universe>& y, int s) {
   return space.connect(y, s - 1) == Connection::open ? Reason::none : Reason::occluded;
 }
 
-// Measures the vertices first … last of y, whose neighbours are known; says whether light gets through.
+// Measures the vertices first … last of y, whose neighbours are known; says whether light gets
+// through.
 template <class Space>
 Reason evaluate(const Space& space, Path<typename Space::Universe>& y, int first, int last) {
   for (int i = first; i <= last; ++i) {

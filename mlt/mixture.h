@@ -14,7 +14,8 @@
 
 namespace wander {
 
-template <class... Mutations> class Mixture {
+template <class... Mutations>
+class Mixture {
  public:
   static constexpr std::size_t count = sizeof...(Mutations);
   static constexpr std::array<std::string_view, count> names{Mutations::name...};
@@ -33,7 +34,8 @@ template <class... Mutations> class Mixture {
     const auto selection = probabilities(space, x);
     const int selected = random.choose(selection);
     const auto index = static_cast<std::size_t>(selected);
-    Proposed proposed = dispatch(index, [&](const auto& m) { return m.propose(space, x, y, random); });
+    Proposed proposed =
+        dispatch(index, [&](const auto& m) { return m.propose(space, x, y, random); });
     if (Proposal* p = std::get_if<Proposal>(&proposed)) {
       p->forward *= selection[index];
       p->reverse *= probabilities(space, y)[index];
@@ -49,7 +51,8 @@ template <class... Mutations> class Mixture {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
       ((s[i] = weights_[i] > 0 ? weights_[i] * std::get<i>(mutations_).applicability(space, x) : 0),
        ...);
-    }(std::index_sequence_for<Mutations...>{});
+    }
+    (std::index_sequence_for<Mutations...>{});
     double total = 0;
     for (const double p : s) total += p;
     if (total > 0)
@@ -59,11 +62,13 @@ template <class... Mutations> class Mixture {
 
  private:
   // Calls f with the mutation of that index.
-  template <class F> Proposed dispatch(std::size_t index, F&& f) const {
+  template <class F>
+  Proposed dispatch(std::size_t index, F&& f) const {
     Proposed result = Failure{Reason::not_reversible};
     [&]<std::size_t... i>(std::index_sequence<i...>) {
       ((i == index ? (result = f(std::get<i>(mutations_)), true) : false) || ...);
-    }(std::index_sequence_for<Mutations...>{});
+    }
+    (std::index_sequence_for<Mutations...>{});
     return result;
   }
 

@@ -11,11 +11,11 @@
 namespace wander {
 
 enum class Reason {
-  none,               // accepted
-  metropolis,         // proposed, and refused by the acceptance test
-  occluded,           // a connection is blocked, or its ends face away from each other
-  missed_scene,       // a walk ended before it was long enough
-  changed_class,      // a specular vertex where a connection was needed
+  none,           // accepted
+  metropolis,     // proposed, and refused by the acceptance test
+  occluded,       // a connection is blocked, or its ends face away from each other
+  missed_scene,   // a walk ended before it was long enough
+  changed_class,  // a specular vertex where a connection was needed
   too_long,
   zero_contribution,  // f(y) = 0
   not_reversible,     // y → x cannot happen
@@ -24,8 +24,9 @@ enum class Reason {
   not_finite,
 };
 inline constexpr std::array<std::string_view, 11> reason_names{
-    "none",         "metropolis",        "occluded",       "missed_scene",  "changed_class", "too_long",
-    "zero_contribution", "not_reversible", "outside_range", "solver_failed", "not_finite"};
+    "none",          "metropolis",    "occluded",          "missed_scene",
+    "changed_class", "too_long",      "zero_contribution", "not_reversible",
+    "outside_range", "solver_failed", "not_finite"};
 
 inline std::string_view name_of(Reason reason) {
   return reason_names[static_cast<std::size_t>(reason)];

@@ -2,7 +2,8 @@
 //
 //   scene → seed pass → seeds and b → chains × mixture of mutations → steps → {film, statistics}
 //
-// Groups of chains are the unit of parallel work; they share nothing, and are merged in their order.
+// Groups of chains are the unit of parallel work; they share nothing, and are merged in their
+// order.
 #pragma once
 
 #include <memory>
@@ -16,9 +17,9 @@
 namespace wander {
 
 struct ChainSettings {
-  int groups = 64;          // independent: their spread is the error bar
+  int groups = 64;  // independent: their spread is the error bar
   int chains_per_group = 4;
-  double seed_share = 0.25;            // of a time budget, and seed samples per mutation of a budget
+  double seed_share = 0.25;  // of a time budget, and seed samples per mutation of a budget
   std::uint64_t fewest_seeds = 1 << 15;  // samples, of all groups together
 };
 
@@ -29,7 +30,8 @@ class NoLightFound : public std::runtime_error {
 };
 
 // A group: its slice of the seed pass, its chains, and what they deposit.
-template <class Space, class Kernel> class ChainGroup {
+template <class Space, class Kernel>
+class ChainGroup {
  public:
   using W = typename Space::Universe;
 
@@ -104,14 +106,15 @@ template <class Space, class Kernel> class ChainGroup {
   std::uint64_t steps_ = 0;
 };
 
-template <class Space, class Kernel> class ChainRenderer {
+template <class Space, class Kernel>
+class ChainRenderer {
  public:
   ChainRenderer(const Space& space, const Kernel& kernel, const Session& session,
                 ChainSettings settings)
       : space_(space), session_(session), settings_(fitted(settings, session)), run_(session) {
     for (int g = 0; g < settings_.groups; ++g)
-      groups_.push_back(std::make_unique<Group>(space, kernel, session.seed, g,
-                                                settings_.chains_per_group));
+      groups_.push_back(
+          std::make_unique<Group>(space, kernel, session.seed, g, settings_.chains_per_group));
   }
 
   Rendering render(const char* method) {
@@ -134,8 +137,7 @@ template <class Space, class Kernel> class ChainRenderer {
     const auto* budget = std::get_if<SampleBudget>(&session.budget);
     if (!budget) return settings;
     const auto most = static_cast<int>(std::min<std::uint64_t>(budget->samples, 1 << 20));
-    settings.chains_per_group =
-        std::clamp(most / settings.groups, 1, settings.chains_per_group);
+    settings.chains_per_group = std::clamp(most / settings.groups, 1, settings.chains_per_group);
     settings.groups = std::min(settings.groups, most);
     return settings;
   }

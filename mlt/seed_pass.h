@@ -4,8 +4,8 @@
 // Chains come in independent groups, each with a slice of the samples of its own.  In a slice,
 //   b_g = mean of Σ w f/p,   seeds drawn from its paths in proportion to w f / p,
 // and b_g times the mean of what its chains deposit is unbiased for any length of the chains.  No
-// Russian roulette.  Seeds are found in one sweep by weighted reservoirs; only the sample's index is
-// kept, and the path is made again from its random numbers.
+// Russian roulette.  Seeds are found in one sweep by weighted reservoirs; only the sample's index
+// is kept, and the path is made again from its random numbers.
 #pragma once
 
 #include <stdexcept>
@@ -53,7 +53,8 @@ struct SeedTally {
 };
 
 // One group's slice of the seed pass, for a number of chains.
-template <class Space> class SeedSlice {
+template <class Space>
+class SeedSlice {
  public:
   using W = typename Space::Universe;
 
@@ -79,7 +80,8 @@ template <class Space> class SeedSlice {
     bool found = false;
     samples_.start(seed.sample);
     sampler_.sample(samples_, [&](const Path<W>& x, int s, double weight) {
-      if (found || x.size() != seed.vertices || s != seed.technique || weight != seed.weight) return;
+      if (found || x.size() != seed.vertices || s != seed.technique || weight != seed.weight)
+        return;
       path = x;
       found = true;
     });

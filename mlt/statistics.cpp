@@ -45,7 +45,8 @@ std::vector<MutationRecord> MutationStatistics::records() const {
     record.proposed_per_bin = tally.proposed_per_bin;
     record.acceptance_per_bin = tally.acceptance_per_bin;
     for (std::size_t b = 0; b < record.acceptance_per_bin.size(); ++b)
-      if (record.proposed_per_bin[b] > 0) record.acceptance_per_bin[b] /= record.proposed_per_bin[b];
+      if (record.proposed_per_bin[b] > 0)
+        record.acceptance_per_bin[b] /= record.proposed_per_bin[b];
   }
   return records;
 }

@@ -16,7 +16,8 @@ class MutationStatistics {
   MutationStatistics(std::span<const std::string_view> names, int bins);
 
   // `bin`: where the current path meets the film.
-  template <class W> void observe(const Step<W>& step, int bin) {
+  template <class W>
+  void observe(const Step<W>& step, int bin) {
     Tally& tally = tallies_[static_cast<std::size_t>(step.mutation)];
     const auto b = static_cast<std::size_t>(bin);
     ++tally.proposed;

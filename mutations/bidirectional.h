@@ -2,8 +2,10 @@
 //
 // Keeps L vertices at the light's end and M at the sensor's, deletes the d between them, samples
 // l' + m' = a new ones from the two kept ends and connects.  The label (L, M, a) is part of the
-// transition, the split (l', m') is not: the density sums over every split that makes the same path,
-//   T(x→y) = p_delete(L, M | n) p_add(a | d) Σ_{l'} p_split(l' | a) Π_{i new} from_light_i or from_sensor_i.
+// transition, the split (l', m') is not: the density sums over every split that makes the same
+// path,
+//   T(x→y) = p_delete(L, M | n) p_add(a | d) Σ_{l'} p_split(l' | a) Π_{i new} from_light_i or
+//   from_sensor_i.
 // The way back keeps the same ends, deletes a and adds d.  Measure: area product.
 #pragma once
 
@@ -58,13 +60,16 @@ struct Bidirectional {
             added_density(space, x, kept, d)};
   }
 
-  // ---- the discrete choices ----------------------------------------------------------------------
+  // ---- the discrete choices
+  // ----------------------------------------------------------------------
 
   // A pmf over how many vertices are deleted or added.
   struct LengthPmf {
     std::array<double, most_replaced + 1> p{};
     std::span<const double> span() const { return p; }
-    double operator[](int k) const { return k <= most_replaced ? p[static_cast<std::size_t>(k)] : 0; }
+    double operator[](int k) const {
+      return k <= most_replaced ? p[static_cast<std::size_t>(k)] : 0;
+    }
     void normalize() {
       double total = 0;
       for (const double q : p) total += q;
@@ -73,13 +78,15 @@ struct Bidirectional {
   };
 
   // Where d of n vertices are deleted.  Deleting none needs an edge, with a vertex kept on either
-  // side.  Otherwise the sensor's end, where the film is, is as likely as all other places together.
+  // side.  Otherwise the sensor's end, where the film is, is as likely as all other places
+  // together.
   static double placement_probability(int n, int d, Kept kept) {
     if (d == 0) return 1.0 / (n - 1);
     if (d == n) return 1;
     return kept.sensor == 0 ? sensor_end : (1 - sensor_end) / (n - d);
   }
-  template <class Random> static Kept choose_kept(int n, int d, Random& random) {
+  template <class Random>
+  static Kept choose_kept(int n, int d, Random& random) {
     if (d == n) return {0, 0};
     if (d == 0) {
       const int light = 1 + random.choose(n - 1);
@@ -124,11 +131,11 @@ struct Bidirectional {
     int count() const { return std::max(0, last - first + 1); }
   };
   template <class Space>
-  static SplitRange split_range(const Space& space, const Path<typename Space::Universe>& x, Kept kept,
-                                int added) {
+  static SplitRange split_range(const Space& space, const Path<typename Space::Universe>& x,
+                                Kept kept, int added) {
     const bool light_may_stay = kept.light == 0 || space.can_connect(x[kept.light - 1]);
-    const bool sensor_may_stay = kept.sensor == 0 ? space.sensor_can_be_hit()
-                                                  : space.can_connect(x[x.size() - kept.sensor]);
+    const bool sensor_may_stay =
+        kept.sensor == 0 ? space.sensor_can_be_hit() : space.can_connect(x[x.size() - kept.sensor]);
     return {light_may_stay ? 0 : 1, sensor_may_stay ? added : added - 1};
   }
   template <class Space>
@@ -137,12 +144,13 @@ struct Bidirectional {
     return split_range(space, x, kept, added).count();
   }
 
-  // ---- the new vertices --------------------------------------------------------------------------
+  // ---- the new vertices
+  // --------------------------------------------------------------------------
 
   // Σ over splits of p_split Π densities of the vertices between the kept ends of z.
   template <class Space>
-  static Scaled added_density(const Space& space, const Path<typename Space::Universe>& z, Kept kept,
-                              int added) {
+  static Scaled added_density(const Space& space, const Path<typename Space::Universe>& z,
+                              Kept kept, int added) {
     const SplitRange splits = split_range(space, z, kept, added);
     Scaled sum;
     for (int l = splits.first; l <= splits.last; ++l) {

@@ -15,7 +15,8 @@ struct Kelemen {
     double density;  // of the move, per unit of the coordinate
   };
 
-  template <class Random> Move move(double u, Random& random) const {
+  template <class Random>
+  Move move(double u, Random& random) const {
     const double log_ratio = std::log(largest / smallest);
     const double distance = largest * std::exp(-log_ratio * random.uniform());
     const double sign = random.uniform() < 0.5 ? -1 : 1;

@@ -1,9 +1,9 @@
-// The large step: a path that owes nothing to the present one.  Length, technique and random numbers
-// are fresh: n with a fixed pmf q, s uniform among the techniques of that length.
+// The large step: a path that owes nothing to the present one.  Length, technique and random
+// numbers are fresh: n with a fixed pmf q, s uniform among the techniques of that length.
 //
 //   T(x→y) = q(n_y) / |techniques(n_y)| Σ_s p_s(y),  a = min(1, [f / T](y) / [f / T](x)).
-// The sum over techniques is the density whichever of them made y.  It changes lengths and makes any
-// mixture ergodic.  Measure: area product.
+// The sum over techniques is the density whichever of them made y.  It changes lengths and makes
+// any mixture ergodic.  Measure: area product.
 #pragma once
 
 #include <vector>
@@ -47,7 +47,8 @@ struct PrimaryLarge {
 
  private:
   // s = 0 … n - 1, and n where the sensor can be hit.
-  template <class Space> static int technique_count(const Space& space, int n) {
+  template <class Space>
+  static int technique_count(const Space& space, int n) {
     return space.sensor_can_be_hit() ? n + 1 : n;
   }
   template <class Space>

@@ -1,6 +1,6 @@
 // The small step in primary sample space, on a path: choose one of the techniques that could have
-// made it by its MIS weight, find the random numbers, move each a little, and map back with the same
-// technique [Kelemen et al. 2002; inverse maps: Bitterli et al. 2018, Otsu et al. 2017].
+// made it by its MIS weight, find the random numbers, move each a little, and map back with the
+// same technique [Kelemen et al. 2002; inverse maps: Bitterli et al. 2018, Otsu et al. 2017].
 //
 //   T(x→y) = w_s(x) K(u→v) p_s(y),  so  a = min(1, [f w_s / p_s](y) / [f w_s / p_s](x)).
 // Numbers that a path does not fix (a lobe within its Fresnel interval, the direction at a mirror)
@@ -55,8 +55,10 @@ struct PrimarySmall {
     double density = move(point.light, random);
     for (auto& u : point.position) density *= move(u, random);
     moves *= density;
-    if (from_light) space.begin_light(y, end, point);
-    else space.begin_sensor(y, end, point);
+    if (from_light)
+      space.begin_light(y, end, point);
+    else
+      space.begin_sensor(y, end, point);
     for (int k = 0, i = end; k + 1 < count; ++k, i += step) {
       auto numbers = space.invert_extend(x, i, toward, random);
       density = move(numbers.lobe, random);
@@ -67,7 +69,8 @@ struct PrimarySmall {
     return true;
   }
 
-  template <class Real, class Random> double move(Real& u, Random& random) const {
+  template <class Real, class Random>
+  double move(Real& u, Random& random) const {
     const auto [moved, density] = kernel.move(static_cast<double>(u), random);
     u = static_cast<Real>(moved);
     return density;

@@ -25,7 +25,8 @@ void warn_if_dark(Rendering& rendering) {
 void warn_if_blind(Rendering& rendering, const Scene<Flatland>& scene) {
   if (rendering.method != "lt" || !scene.camera() || !scene.has_specular()) return;
   rendering.warnings.push_back(
-      "light tracing cannot find paths that reach the camera from a mirror or from smooth glass, so "
+      "light tracing cannot find paths that reach the camera from a mirror or from smooth glass, "
+      "so "
       "their light is missing from this film; use pt, bdpt or mlt");
 }
 

@@ -1,0 +1,116 @@
+// Throughput on one thread, and the share of ray casts in it: see docs/benchmarks.md.
+#include <array>
+#include <string>
+#include <vector>
+
+#include "tests/benchmarks/alternation.h"
+#include "tests/benchmarks/workers.h"
+
+namespace wander {
+
+namespace {
+
+constexpr std::array<const char*, 5> scenes{"slit", "article-3", "lens", "mirror-dish", "frosted"};
+constexpr int workers_per_round = 32;
+
+// ---- rays of bidirectional samples
+// ---------------------------------------------------------------
+
+RayLog<Flatland> recorded_rays(Scene<Flatland>& scene) {
+  const Light transport(scene, Roulette::by_albedo);
+  SampleWorker worker(transport, 0);
+  RayLog<Flatland> log;
+  scene.watch(&log);
+  for (int turn = 0; turn < 16; ++turn) worker.take_turn();
+  scene.watch(nullptr);
+  return log;
+}
+
+void bench_closest(benchmark::State& state, const std::string& name) {
+  const auto scene = bench_scene(name);
+  const auto log = recorded_rays(*scene);
+  for (auto _ : state) benchmark::DoNotOptimize(cast_closest(*scene, log));
+  const double rays = static_cast<double>(log.closest.size());
+  state.counters["rays/s"] = {rays, benchmark::Counter::kIsIterationInvariantRate};
+}
+
+void bench_any(benchmark::State& state, const std::string& name) {
+  const auto scene = bench_scene(name);
+  const auto log = recorded_rays(*scene);
+  for (auto _ : state) benchmark::DoNotOptimize(cast_any(*scene, log));
+  const double rays = static_cast<double>(log.any.size());
+  state.counters["rays/s"] = {rays, benchmark::Counter::kIsIterationInvariantRate};
+  state.counters["occluded"] = cast_any(*scene, log) / rays;
+}
+
+// ---- samples and mutations
+// -----------------------------------------------------------------------
+
+void bench_samples(benchmark::State& state, const std::string& name) {
+  const auto scene = bench_scene(name);
+  const Light transport(*scene, Roulette::by_albedo);
+  std::vector<SampleWorker> workers;
+  workers.reserve(workers_per_round);
+  for (int k = 0; k < workers_per_round; ++k)
+    workers.emplace_back(transport, std::uint64_t{1} << 24 | static_cast<std::uint64_t>(k) << 32);
+  alternate(state, *scene, workers, "samples/s");
+}
+
+void bench_mutations(benchmark::State& state, const std::string& name,
+                     const std::array<double, Family::count>& weights) {
+  const auto scene = bench_scene(name);
+  const Light transport(*scene, Roulette::off);
+  const Family family(weights, Bidirectional{}, PrimarySmall{},
+                      PrimaryLarge(scene->max_vertices()));
+  SeedSlice<Light> slice(transport, 1, 0, workers_per_round);
+  slice.run(1 << 12);
+  if (!slice.found_light()) return state.SkipWithError("no seed path was found");
+  std::vector<ChainWorker> workers;
+  workers.reserve(workers_per_round);
+  for (int k = 0; k < workers_per_round; ++k)
+    workers.emplace_back(transport, family, slice.replay(slice.seed(k), scene->max_vertices()),
+                         static_cast<std::uint32_t>(k));
+  alternate(state, *scene, workers, "mutations/s");
+}
+
+struct Weighting {
+  const char* name;
+  std::array<double, Family::count> weights;
+};
+constexpr std::array<Weighting, 4> weightings{{
+    {"bidirectional", {1, 0, 0}},
+    {"primary_small", {0, 1, 0}},
+    {"primary_large", {0, 0, 1}},
+    {"mixture", {1, 1 - default_large_step, default_large_step}},  // as make_family has it
+}};
+
+void register_all() {
+  for (const std::string name : scenes) {
+    const auto add = [&](const std::string& kind, double seconds, auto run) {
+      return benchmark::RegisterBenchmark((kind + "/" + name).c_str(), run)
+          ->MinTime(seconds)
+          ->Unit(benchmark::kMicrosecond);
+    };
+    add("closest", 0.1, [name](benchmark::State& state) { bench_closest(state, name); });
+    add("any", 0.1, [name](benchmark::State& state) { bench_any(state, name); });
+    add("bdpt", 0.3, [name](benchmark::State& state) {
+      bench_samples(state, name);
+    })->UseManualTime();
+    for (const Weighting& w : weightings)
+      add(w.name, 0.3, [name, &w](benchmark::State& state) {
+        bench_mutations(state, name, w.weights);
+      })->UseManualTime();
+  }
+}
+
+}  // namespace
+
+}  // namespace wander
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
+  wander::register_all();
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
+}

@@ -1,0 +1,79 @@
+// What is measured: samples and mutations as the renderers make them, up to the film.
+#pragma once
+
+#include "core/film.h"
+#include "mlt/deposit.h"
+#include "mlt/seed_pass.h"
+#include "mlt/statistics.h"
+#include "mutations/catalogue.h"
+
+namespace wander {
+
+using Light = Transport<Flatland>;
+
+// Bidirectional samples, as core/estimate.cpp makes them.  Each worker has a range of samples.
+class SampleWorker {
+ public:
+  static constexpr int items_per_turn = 64;
+
+  SampleWorker(const Light& transport, std::uint64_t first)
+      : transport_(transport),
+        sampler_(transport, all_techniques, Heuristic::power),
+        film_(transport.scene().bins(), transport.max_vertices()),
+        random_(1, Purpose::estimate, 0),
+        next_(first) {}
+
+  void take_turn() {
+    for (int i = 0; i < items_per_turn; ++i) {
+      random_.start(next_++);
+      sampler_.sample(random_, [&](const Path<Flatland>& path, int s, double weighted) {
+        film_.add(path.size(), s, transport_.bin(path), weighted);
+      });
+      film_.end_sample();
+    }
+  }
+
+ private:
+  Light transport_;
+  PathSampler<Light> sampler_;
+  SampleFilm film_;
+  Rng random_;
+  std::uint64_t next_;
+};
+
+// Mutations of one chain, as mlt/render.h makes them.
+class ChainWorker {
+ public:
+  static constexpr int items_per_turn = 128;
+
+  ChainWorker(const Light& transport, const Family& family, const Path<Flatland>& seed,
+              std::uint32_t stream)
+      : transport_(transport),
+        chain_(transport_, family, seed),
+        film_(transport.scene().bins(), transport.max_vertices()),
+        statistics_(Family::names, transport.scene().bins()),
+        random_(1, Purpose::chain, stream),
+        bin_(transport.bin(seed)) {}
+
+  void take_turn() {
+    for (int i = 0; i < items_per_turn; ++i) {
+      random_.start(steps_++);
+      chain_.step(random_, [&](const Step<Flatland>& step) {
+        deposit(transport_, step, bin_, film_);
+        statistics_.observe(step, bin_);
+        if (step.accepted()) bin_ = transport_.bin(step.proposed);
+      });
+    }
+  }
+
+ private:
+  const Light& transport_;
+  Chain<Light, Family> chain_;
+  GroupFilm film_;
+  MutationStatistics statistics_;
+  Rng random_;
+  int bin_;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace wander
