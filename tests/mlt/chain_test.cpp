@@ -12,8 +12,7 @@
 #include "tests/support/path_equality.h"
 #include "tests/support/test_scenes.h"
 
-// ---- counting allocations
-// --------------------------------------------------------------------------
+// ---- counting allocations ---------------------------------------------------------------------------
 
 namespace {
 
@@ -31,6 +30,11 @@ void* allocate(std::size_t size) {
 
 void* operator new(std::size_t size) { return allocate(size); }
 void* operator new[](std::size_t size) { return allocate(size); }
+// The forms that do not throw serve std::stable_sort; all must come from one heap.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
+void operator delete(void* p, const std::nothrow_t&) noexcept { std::free(p); }
+void operator delete[](void* p, const std::nothrow_t&) noexcept { std::free(p); }
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete[](void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
