@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM: the first asks the run to finish early and save, the second kills.
+// Ctrl-C and SIGTERM: the first asks the run to finish early and save, a later one kills.
 #pragma once
 
 #include <atomic>

@@ -220,12 +220,20 @@ TEST_F(CommandLine, AnInterruptedRunIsSavedAsIncomplete) {
     const Outcome outcome =
         shell("timeout -s " + signal +
               " --preserve-status 1 \"$WANDER\" render box.json -m bdpt -b 60s -o " + signal);
-    EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+    ASSERT_EQ(outcome.exit_code, 130) << outcome.err;
     const json run = json::parse(contents(folder / signal / "run.json"));
     EXPECT_EQ(run["complete"], false);
     EXPECT_LT(run["seconds"], 30);
     EXPECT_HAS(outcome.err, "INCOMPLETE");
   }
+}
+
+TEST_F(CommandLine, OneInterruptionThatArrivesTwiceIsSavedToo) {
+  const Outcome outcome = shell(
+      "\"$WANDER\" render box.json -m bdpt -b 60s -o twice & run=$!; sleep 1; kill -INT $run; "
+      "sleep 0.02; kill -INT $run; wait $run");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  EXPECT_EQ(json::parse(contents(folder / "twice" / "run.json"))["complete"], false);
 }
 
 // ---- inspect and gallery
