@@ -7,8 +7,10 @@
 //   spread(r)        r^(D-1): what a unit of angle covers at distance r
 //   reflection       ∂ω_h/∂ω_o = 1 / (2^(D-1) |o·h|^(D-2))
 //   ball             uniform points of a unit lens, which has one dimension less
-//   boundary         of a box with these extents, up to a factor: perimeter, area
-//   ggx              density of microfacet normals per unit of angle, ∫ D(h) cos θ_h dω_h = 1
+//   ring             offsets of length r in the unit square (a sign; an angle), and how many they
+//   are cone             directions at an angle θ from another (two; a circle), and how many they
+//   are boundary         of a box with these extents, up to a factor: perimeter, area ggx density
+//   of microfacet normals per unit of angle, ∫ D(h) cos θ_h dω_h = 1
 //   *_sample/_invert a map of the unit cube onto directions, and back
 // Local vectors have the surface normal as their last axis.
 #pragma once
@@ -115,6 +117,24 @@ struct Dimension<2> {
   }
 
   template <class T>
+  static constexpr T ring_measure(T) {
+    return T(2);
+  }
+  template <class T>
+  static std::array<T, 1> ring_offset(T r, T u) {
+    return {u < T(0.5) ? -r : r};
+  }
+  template <class T>
+  static constexpr T cone_measure(T) {
+    return T(2);
+  }
+  template <class T>
+  static Vec<2, T> cone_direction(Vec<2, T> axis, T theta, T u) {
+    const T sine = u < T(0.5) ? -std::sin(theta) : std::sin(theta), cosine = std::cos(theta);
+    return {cosine * axis.x - sine * axis.y, sine * axis.x + cosine * axis.y};
+  }
+
+  template <class T>
   static T reflection(T) {
     return T(0.5);
   }
@@ -200,6 +220,25 @@ struct Dimension<3> {
   template <class T>
   static std::array<T, 2> cosine_invert(Vec<3, T> local) {
     return ball_invert(std::array<T, 2>{local.x, local.y});
+  }
+
+  template <class T>
+  static T ring_measure(T r) {
+    return 2 * std::numbers::pi_v<T> * r;
+  }
+  template <class T>
+  static std::array<T, 2> ring_offset(T r, T u) {
+    const T phi = 2 * std::numbers::pi_v<T> * u;
+    return {r * std::cos(phi), r * std::sin(phi)};
+  }
+  template <class T>
+  static T cone_measure(T theta) {
+    return 2 * std::numbers::pi_v<T> * std::sin(theta);
+  }
+  template <class T>
+  static Vec<3, T> cone_direction(Vec<3, T> axis, T theta, T u) {
+    const std::array<T, 2> p = ring_offset(std::sin(theta), u);
+    return Frame<3, T>{axis}.to_world({p[0], p[1], std::cos(theta)});
   }
 
   template <class T>

@@ -160,6 +160,12 @@ InvertedNumbers<W> Mirror<W>::invert(Local, Local, Event) const {
   return {.direction_is_free = true};
 }
 
+template <World W>
+auto Mirror<W>::follow(Local known, Event event) const -> std::optional<Local> {
+  if (event != Event::reflection) return {};
+  return mirrored<W>(known);
+}
+
 // ---- dielectric ---------------------------------------------------------------------------------
 
 template <World W>
@@ -175,16 +181,26 @@ Scattering<W> Dielectric<W>::evaluate(Event event, Local to_light, Local to_sens
 }
 
 template <World W>
-std::optional<ScatterSample<W>> Dielectric<W>::sample(Local known, ScatterNumbers<W> u) const {
-  const Real n_known = index_at<W>(*this, known), n_across = index_across<W>(*this, known);
-  const Real cosine = W::Dimension::cosine(known);
-  if (u.lobe < fresnel(std::abs(cosine), n_known, n_across))
-    return ScatterSample<W>{mirrored<W>(known), Event::reflection};
+auto Dielectric<W>::follow(Local known, Event event) const -> std::optional<Local> {
+  if (event == Event::reflection) return mirrored<W>(known);
   Local normal(0);
-  normal[W::dimension - 1] = std::copysign(Real(1), cosine);
-  const auto across = refract<W>(known, normal, n_known, n_across);
-  if (!across) return {};
-  return ScatterSample<W>{*across, Event::transmission};
+  normal[W::dimension - 1] = std::copysign(Real(1), W::Dimension::cosine(known));
+  return refract<W>(known, normal, index_at<W>(*this, known), index_across<W>(*this, known));
+}
+
+template <World W>
+auto Dielectric<W>::follow_density(Local followed, Event event) const -> Real {
+  return event == Event::reflection ? 1 : W::Dimension::index_spread(index_at<W>(*this, followed));
+}
+
+template <World W>
+std::optional<ScatterSample<W>> Dielectric<W>::sample(Local known, ScatterNumbers<W> u) const {
+  const Real f = fresnel(std::abs(W::Dimension::cosine(known)), index_at<W>(*this, known),
+                         index_across<W>(*this, known));
+  const Event event = u.lobe < f ? Event::reflection : Event::transmission;
+  const auto direction = follow(known, event);
+  if (!direction) return {};
+  return ScatterSample<W>{*direction, event};
 }
 
 template <World W>

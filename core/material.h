@@ -15,6 +15,9 @@
 //   sample(known, u)          a direction and an event, given the known direction
 //   invert(known, sampled)    the numbers that sample that direction
 //   survival()                probability that a walk goes on here under Russian roulette
+// and the specular ones
+//   follow(known, event)      the one direction of that event; none under total internal reflection
+//   follow_density(followed, event)  the coefficient of δ for following it with probability one
 #pragma once
 
 #include <optional>
@@ -92,6 +95,8 @@ struct Mirror {
   Scattering<W> evaluate(Event, Local to_light, Local to_sensor) const;
   std::optional<ScatterSample<W>> sample(Local known, ScatterNumbers<W> u) const;
   InvertedNumbers<W> invert(Local known, Local sampled, Event) const;
+  std::optional<Local> follow(Local known, Event event) const;
+  Real follow_density(Local, Event) const { return 1; }
   Real survival() const { return reflectance; }
   static constexpr bool specular = true, has_lobes = false, scatters = true;
 };
@@ -106,6 +111,8 @@ struct Dielectric {
   Scattering<W> evaluate(Event event, Local to_light, Local to_sensor) const;
   std::optional<ScatterSample<W>> sample(Local known, ScatterNumbers<W> u) const;
   InvertedNumbers<W> invert(Local known, Local sampled, Event event) const;
+  std::optional<Local> follow(Local known, Event event) const;
+  Real follow_density(Local followed, Event event) const;
   Real survival() const { return 1; }
   static constexpr bool specular = true, has_lobes = true, scatters = true;
 };

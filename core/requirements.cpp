@@ -37,7 +37,7 @@ bool is_specular(const MaterialKind& kind) {
   return std::holds_alternative<Dielectric>(kind);
 }
 
-struct ScattersDiffusely {
+struct Scatters {
   bool operator()(const Black&) const { return false; }
   bool operator()(const Diffuse& m) const { return !is_zero(m.reflectance); }
   bool operator()(const Mirror&) const { return false; }
@@ -45,6 +45,18 @@ struct ScattersDiffusely {
   bool operator()(const RoughConductor& m) const { return !is_zero(m.reflectance); }
   bool operator()(const RoughDielectric&) const { return true; }
 };
+
+struct IsGlossy {
+  bool operator()(const RoughConductor& m) const { return !is_zero(m.reflectance); }
+  bool operator()(const RoughDielectric&) const { return true; }
+  bool operator()(const auto&) const { return false; }
+};
+
+template <class Property>
+bool any_of(const std::vector<MaterialKind>& materials, Property property) {
+  return std::ranges::any_of(materials,
+                             [&](const MaterialKind& kind) { return std::visit(property, kind); });
+}
 
 struct Coloured {
   bool operator()(const Diffuse& m) const { return m.reflectance.coloured; }
@@ -68,15 +80,11 @@ std::vector<MaterialKind> materials_in_use(const Scene& scene) {
 bool caustics_can_form(const Scene& scene, const std::vector<MaterialKind>& materials) {
   if (std::none_of(materials.begin(), materials.end(), is_specular)) return false;
   if (!scene.camera) return scene.max_vertices >= 3;
-  return scene.max_vertices >= 4 &&
-         std::any_of(materials.begin(), materials.end(), [](const MaterialKind& kind) {
-           return std::visit(ScattersDiffusely{}, kind);
-         });
+  return scene.max_vertices >= 4 && any_of(materials, Scatters{});
 }
 
 bool is_coloured(const Scene& scene, const std::vector<MaterialKind>& materials) {
-  return std::any_of(materials.begin(), materials.end(),
-                     [](const MaterialKind& kind) { return std::visit(Coloured{}, kind); }) ||
+  return any_of(materials, Coloured{}) ||
          std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) {
            return shape.light && shape.light->radiance.coloured;
          });
@@ -86,7 +94,7 @@ bool is_coloured(const Scene& scene, const std::vector<MaterialKind>& materials)
 
 std::string type_of(const ShapeKind& kind) { return std::visit(ShapeType{}, kind); }
 
-Requirements requires_of(const Scene& scene, const std::vector<std::string>& known_mutations) {
+Requirements requires_of(const Scene& scene) {
   const std::vector<MaterialKind> materials = materials_in_use(scene);
   std::set<std::string> material_types, shape_types;
   for (const MaterialKind& kind : materials)
@@ -100,7 +108,9 @@ Requirements requires_of(const Scene& scene, const std::vector<std::string>& kno
   requirements.shapes.assign(shape_types.begin(), shape_types.end());
   requirements.specular = std::any_of(materials.begin(), materials.end(), is_specular);
   requirements.caustic_paths_possible = caustics_can_form(scene, materials);
-  requirements.mutations = known_mutations;  // each of them works in every scene
+  requirements.scatters = any_of(materials, Scatters{});
+  requirements.glossy = any_of(materials, IsGlossy{});
+  requirements.max_vertices = scene.max_vertices;
   return requirements;
 }
 

@@ -1,8 +1,7 @@
-// What a scene requires of the program: which kinds of transport, geometry and mutation it can use.
-// A scene pays only for what is listed here.
+// What a scene requires of the program: which kinds of transport and geometry it can use.  A scene
+// pays only for what is listed here.
 #pragma once
 
-#include <map>
 #include <string>
 #include <vector>
 
@@ -16,13 +15,12 @@ struct Requirements {
   std::vector<std::string> materials, shapes;  // types present on shapes, each once, sorted
   bool specular = false;                       // some surface reflects or refracts as a mirror does
   bool caustic_paths_possible = false;  // light, then specular, then a surface it can fall on
-  std::vector<std::string> mutations;   // that `auto` takes
-  std::map<std::string, std::string> left_out;  // mutation -> why the scene cannot use it
+  bool scatters = false;                // some surface reflects or refracts into many directions
+  bool glossy = false;                  // of these, some are rough mirrors or rough glass
+  int max_vertices = 0;
 };
 
-// `known_mutations`: the mutations of the caller, for the core knows none by name.
-Requirements requires_of(const description::Scene& scene,
-                         const std::vector<std::string>& known_mutations);
+Requirements requires_of(const description::Scene& scene);
 
 // As scene files call it: "segment", "arc", ...
 std::string type_of(const description::ShapeKind& kind);

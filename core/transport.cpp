@@ -72,9 +72,8 @@ auto Transport<W>::sample_direction(Path<W>& x, int i, Toward toward, ScatterNum
   if (v.event == Event::emission || v.event == Event::detection)
     return frame.to_world(Direction(W::Dimension::cosine_sample(u.direction)));
 
-  const Direction known = toward == Toward::sensor ? -x[i - 1].place.to_sensor : v.place.to_sensor;
-  const auto sample =
-      std::visit([&](const auto& m) { return m.sample(local(v, known), u); }, material(v));
+  const Local known = local(v, known_direction(x, i, toward));
+  const auto sample = std::visit([&](const auto& m) { return m.sample(known, u); }, material(v));
   if (!sample) return {};
   v.event = sample->event;
   return glm::normalize(frame.to_world(Direction(sample->direction)));
@@ -83,18 +82,82 @@ auto Transport<W>::sample_direction(Path<W>& x, int i, Toward toward, ScatterNum
 template <World W>
 bool Transport<W>::extend(Path<W>& x, int i, Toward toward, ScatterNumbers<W> u) const {
   const auto direction = sample_direction(x, i, toward, u);
-  if (!direction) return false;
-  const Ray<W> ray{
-      .origin = x[i].place.position, .direction = *direction, .from = x[i].place.shape};
+  return direction && shoot(x, i, toward, *direction);
+}
+
+template <World W>
+bool Transport<W>::shoot(Path<W>& x, int i, Toward toward, Direction direction) const {
+  const Ray<W> ray{.origin = x[i].place.position, .direction = direction, .from = x[i].place.shape};
   const Hit<W> hit = scene_->closest(ray);
   if (!hit || !(hit.distance > 0)) return false;
 
   const int j = toward == Toward::sensor ? i + 1 : i - 1;
   place<W>(x[j], scene_->surface_point(ray, hit), hit.shape, undecided(scene_->surface(hit.shape)));
   Vertex<W>& lower = x[std::min(i, j)];
-  lower.place.to_sensor = toward == Toward::sensor ? *direction : -*direction;
-  lower.geometry = geometry(x[i], x[j], *direction, hit.distance);
+  lower.place.to_sensor = toward == Toward::sensor ? direction : -direction;
+  lower.geometry = geometry(x[i], x[j], direction, hit.distance);
   return lower.geometry > 0;
+}
+
+template <World W>
+void Transport<W>::move_end(Path<W>& x, int i, typename W::Square u) const {
+  Vertex<W>& v = x[i];
+  if (is_camera(v)) {
+    v.place.position = scene_->camera()->sample_lens(u);
+    return;
+  }
+  const auto point =
+      visit_shape([&](const auto& s) { return s.sample(u); }, scene_->shape(v.place.shape));
+  place<W>(v, point, v.place.shape, v.event);
+}
+
+template <World W>
+bool Transport<W>::follow(Path<W>& x, int i, Toward toward, Event event) const {
+  const Local known = local(x[i], known_direction(x, i, toward));
+  const auto direction = std::visit(
+      [&]<class M>(const M& m) -> std::optional<Local> {
+        if constexpr (M::specular)
+          return m.follow(known, event);
+        else
+          return {};
+      },
+      material(x[i]));
+  if (!direction) return false;
+  x[i].event = event;
+  const Frame<W::dimension, Length> frame{x[i].place.normal};
+  return shoot(x, i, toward, glm::normalize(frame.to_world(Direction(*direction))));
+}
+
+template <World W>
+double Transport<W>::end_density(const Path<W>& x, int i) const {
+  const Vertex<W>& v = x[i];
+  if (is_camera(v)) return static_cast<double>(scene_->camera()->lens_density());
+  return static_cast<double>(
+      1 / visit_shape([](const auto& s) { return s.measure(); }, scene_->shape(v.place.shape)));
+}
+
+// Of film coordinates: p⊥ G.  Of angle: dω/dA = |cos'| / r^(D-1) = G / |cos|.
+template <World W>
+double Transport<W>::aim_density(const Path<W>& x, int i, Toward toward) const {
+  const Vertex<W>& v = x[i];
+  const Direction way = direction(x, i, toward);
+  const double edge = x[toward == Toward::sensor ? i : i - 1].geometry;
+  if (is_camera(v)) return scene_->camera()->direction_density(v.place.position, way) * edge;
+  return edge / static_cast<double>(std::abs(glm::dot(way, v.place.normal)));
+}
+
+template <World W>
+double Transport<W>::follow_density(const Path<W>& x, int i, Toward toward) const {
+  const Local followed = local(x[i], direction(x, i, toward));
+  const double edge = x[toward == Toward::sensor ? i : i - 1].geometry;
+  return std::visit(
+      [&]<class M>(const M& m) -> double {
+        if constexpr (M::specular)
+          return static_cast<double>(m.follow_density(followed, x[i].event)) * edge;
+        else
+          return 0;
+      },
+      material(x[i]));
 }
 
 template <World W>
@@ -181,15 +244,15 @@ auto Transport<W>::albedo(const Vertex<W>& v) const -> Real {
 template <World W>
 InvertedNumbers<W> Transport<W>::inverted(const Path<W>& x, int i, Toward toward) const {
   const Vertex<W>& v = x[i];
-  const Direction to_light = i > 0 ? -x[i - 1].place.to_sensor : Direction(0);
-  const Direction known = toward == Toward::sensor ? to_light : v.place.to_sensor;
-  const Direction sampled = toward == Toward::sensor ? v.place.to_sensor : to_light;
+  const Direction sampled = direction(x, i, toward);
   if (v.event == Event::detection && v.place.shape == no_shape)
     return {.direction = *scene_->camera()->film_coordinate(v.place.position, sampled)};
   if (v.event == Event::emission || v.event == Event::detection)
     return {.direction = W::Dimension::cosine_invert(local(v, sampled))};
   return std::visit(
-      [&](const auto& m) { return m.invert(local(v, known), local(v, sampled), v.event); },
+      [&](const auto& m) {
+        return m.invert(local(v, known_direction(x, i, toward)), local(v, sampled), v.event);
+      },
       material(v));
 }
 

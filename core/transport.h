@@ -5,6 +5,10 @@
 //   extend                     the next vertex of a subpath, at its end
 //   connect                    the edge between two vertices that exist
 //   evaluate                   value and densities at a vertex whose neighbours are known
+// and, for perturbations, which move what is there already:
+//   move_end, shoot, aim_film  an end on its surface; a direction; a point of a camera's film
+//   follow                     the specular event that a path had
+//   end_density, aim_density, follow_density  how densities of these become densities of area
 //
 // A subpath towards the sensor grows upwards in a Path, one towards the light grows downwards; both
 // are stored light first, so what is written once serves both.
@@ -68,6 +72,34 @@ class Transport {
     return roulette_ == Roulette::off ? Real(1) : albedo(v);
   }
 
+  // ---- moves
+  // Where x_i, an end of a path, is on its surface or lens, and the same end put elsewhere on it.
+  typename W::Square end_parameter(const Path<W>& x, int i) const {
+    return inverted_point(x, i).position;
+  }
+  void move_end(Path<W>& x, int i, typename W::Square u) const;
+  // Writes the vertex that a ray from x_i meets, and the edge; false: there is none.
+  bool shoot(Path<W>& x, int i, Toward toward, Direction direction) const;
+  // The same for the direction that a camera gives to a point of its film.
+  bool aim_film(Path<W>& x, int i, typename W::Square film) const {
+    const Direction direction = scene_->camera()->sample_direction(x[i].place.position, film);
+    return shoot(x, i, Toward::light, direction);
+  }
+  // The same for the direction that a specular event gives to the light that is known at x_i.
+  bool follow(Path<W>& x, int i, Toward toward, Event event) const;
+  Direction direction(const Path<W>& x, int i, Toward toward) const {
+    return toward == Toward::sensor ? x[i].place.to_sensor : -x[i - 1].place.to_sensor;
+  }
+  // Densities of area at x_i, for unit density of its parameter; and at the vertex after x_i, for
+  // unit density of film coordinates (a camera) or of angle, and for a followed event.
+  double end_density(const Path<W>& x, int i) const;
+  double aim_density(const Path<W>& x, int i, Toward toward) const;
+  double follow_density(const Path<W>& x, int i, Toward toward) const;
+  bool is_camera(const Vertex<W>& v) const { return v.place.shape == no_shape; }
+  bool is_pinhole(const Vertex<W>& v) const {
+    return is_camera(v) && scene_->camera()->is_pinhole();
+  }
+
   // Writes the edge between x_i and x_{i+1}.
   Connection connect(Path<W>& x, int i) const;
 
@@ -119,6 +151,9 @@ class Transport {
   }
   bool has_lobes(const Vertex<W>& v) const;
   Real albedo(const Vertex<W>& v) const;
+  Direction known_direction(const Path<W>& x, int i, Toward toward) const {
+    return toward == Toward::sensor ? -x[i - 1].place.to_sensor : x[i].place.to_sensor;
+  }
   const Material<W>& material(const Vertex<W>& v) const {
     return *scene_->surface(v.place.shape).material;
   }

@@ -33,6 +33,8 @@ class Mixture {
                    Path<typename Space::Universe>& y, Random& random) const {
     const auto selection = probabilities(space, x);
     const int selected = random.choose(selection);
+    if (!(selection[static_cast<std::size_t>(selected)] > 0))
+      return {selected, Failure{Reason::not_applicable}};
     const auto index = static_cast<std::size_t>(selected);
     Proposed proposed =
         dispatch(index, [&](const auto& m) { return m.propose(space, x, y, random); });

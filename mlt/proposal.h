@@ -22,11 +22,12 @@ enum class Reason {
   outside_range,
   solver_failed,
   not_finite,
+  not_applicable,  // no mutation of the mixture can act on this path
 };
-inline constexpr std::array<std::string_view, 11> reason_names{
+inline constexpr std::array<std::string_view, 12> reason_names{
     "none",          "metropolis",    "occluded",          "missed_scene",
     "changed_class", "too_long",      "zero_contribution", "not_reversible",
-    "outside_range", "solver_failed", "not_finite"};
+    "outside_range", "solver_failed", "not_finite",        "not_applicable"};
 
 inline std::string_view name_of(Reason reason) {
   return reason_names[static_cast<std::size_t>(reason)];

@@ -1,15 +1,92 @@
 #include "mutations/catalogue.h"
 
+#include <algorithm>
+
 namespace wander {
 
-Family make_family(const MutationWeights& weights, int max_vertices) {
-  double bidirectional = weights.empty() ? 1 : 0, primary = bidirectional;
-  for (const auto& [word, weight] : weights) {
-    if (word == "bidirectional") bidirectional = weight;
-    if (word == "primary") primary = weight;
+namespace {
+
+template <class M>
+constexpr std::string_view word_of() {
+  if constexpr (requires { M::word; })
+    return M::word;
+  else
+    return M::name;
+}
+
+template <class M>
+constexpr double share_of() {
+  if constexpr (requires { M::share; })
+    return M::share;
+  else
+    return 1;
+}
+
+template <class M>
+std::string_view left_out([[maybe_unused]] const Requirements& scene) {
+  if constexpr (requires { M::left_out(scene); })
+    return M::left_out(scene);
+  else
+    return {};
+}
+
+template <class M>
+M make(int max_vertices) {
+  if constexpr (std::is_constructible_v<M, int>)
+    return M(max_vertices);
+  else
+    return M{};
+}
+
+template <class M>
+double weight_of(const MutationWeights& weights) {
+  if (weights.empty()) return share_of<M>();
+  const auto given = std::ranges::find(weights, word_of<M>(), &MutationWeights::value_type::first);
+  return given == weights.end() ? 0 : given->second * share_of<M>();
+}
+
+template <class M>
+void choose(const Requirements& scene, MutationChoice& choice) {
+  const std::string name(M::name), word(word_of<M>());
+  if (const std::string_view why = left_out<M>(scene); !why.empty()) {
+    choice.left_out[name] = why;
+    return;
   }
-  return Family({bidirectional, (1 - default_large_step) * primary, default_large_step * primary},
-                Bidirectional{}, PrimarySmall{}, PrimaryLarge(max_vertices));
+  choice.taken.push_back(name);
+  const auto known = std::ranges::find(choice.weights, word, &MutationWeights::value_type::first);
+  if (known == choice.weights.end()) choice.weights.emplace_back(word, 1);
+}
+
+// Calls f.template operator()<M>() for every mutation of the family, in its order.
+template <class... Ms, class F>
+void for_each_mutation(const Mixture<Ms...>*, F&& f) {
+  (f.template operator()<Ms>(), ...);
+}
+constexpr const Family* family = nullptr;
+
+template <class... Ms>
+Mixture<Ms...> made(const Mixture<Ms...>*, const MutationWeights& weights, int max_vertices) {
+  return Mixture<Ms...>({weight_of<Ms>(weights)...}, make<Ms>(max_vertices)...);
+}
+
+}  // namespace
+
+std::vector<std::string_view> mutation_words() {
+  std::vector<std::string_view> words;
+  for_each_mutation(family, [&]<class M>() {
+    if (std::ranges::find(words, word_of<M>()) == words.end()) words.push_back(word_of<M>());
+  });
+  return words;
+}
+
+MutationChoice choose_mutations(const Requirements& scene) {
+  MutationChoice choice;
+  for_each_mutation(family, [&]<class M>() { choose<M>(scene, choice); });
+  return choice;
+}
+
+Family make_family(const MutationWeights& weights, int max_vertices) {
+  return made(family, weights, max_vertices);
 }
 
 }  // namespace wander

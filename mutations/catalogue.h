@@ -1,29 +1,44 @@
-// The mutations by name.  A new one is a file of its own and its place in `Family`.
+// The mutations by name.  A new one is a file of its own, included here, and its place in `Family`.
+//
+// Beside what every mutation has (mlt/mutation.h), one may say
+//   word      the word of --mutations that it goes by, if not its name; a word may stand for
+//   several share     its part of that word's weight, if not 1 left_out  why a scene has no use for
+//   it; empty if it has
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "core/scene.h"
-#include "core/session.h"
+#include "core/requirements.h"
 #include "mlt/mixture.h"
 #include "mutations/bidirectional.h"
+#include "mutations/caustic.h"
+#include "mutations/lens.h"
+#include "mutations/multichain.h"
 #include "mutations/primary_large.h"
 #include "mutations/primary_small.h"
 
 namespace wander {
 
-using Family = Mixture<Bidirectional, PrimarySmall, PrimaryLarge>;
+using Family = Mixture<Bidirectional, Lens, Caustic, Multichain, PrimarySmall, PrimaryLarge>;
 
-// Of the primary steps, the share that is large.
-inline constexpr double default_large_step = 0.3;
+// The words of --mutations, each once.
+std::vector<std::string_view> mutation_words();
 
-// Relative weights by the words of --mutations; `primary` is both of its steps.  Empty: all.
+// Relative weights by word; words that are not there weigh nothing.
 using MutationWeights = std::vector<std::pair<std::string, double>>;
-inline constexpr std::array<std::string_view, 2> mutation_words{"bidirectional", "primary"};
 
-// The mixture for paths of up to `max_vertices` vertices; words and weights are valid.
+// What `auto` makes of a scene: the mutations it takes, and why it leaves out the others.
+struct MutationChoice {
+  MutationWeights weights{};
+  std::vector<std::string> taken{};
+  std::map<std::string, std::string> left_out{};
+};
+MutationChoice choose_mutations(const Requirements& scene);
+
+// The mixture for paths of up to `max_vertices` vertices.  No weights: every mutation.
 Family make_family(const MutationWeights& weights, int max_vertices);
 
 }  // namespace wander

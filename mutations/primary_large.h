@@ -11,11 +11,13 @@
 #include "core/techniques.h"
 #include "mlt/join.h"
 #include "mlt/mutation.h"
+#include "mutations/primary.h"
 
 namespace wander {
 
 struct PrimaryLarge {
-  static constexpr std::string_view name = "primary_large";
+  static constexpr std::string_view name = "primary_large", word = primary_word;
+  static constexpr double share = default_large_step;
   std::vector<double> length_pmf;  // q(n) at n - 2; sums to 1
 
   explicit PrimaryLarge(int max_vertices)

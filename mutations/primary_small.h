@@ -11,11 +11,13 @@
 #include "mlt/join.h"
 #include "mlt/mutation.h"
 #include "mutations/kelemen.h"
+#include "mutations/primary.h"
 
 namespace wander {
 
 struct PrimarySmall {
-  static constexpr std::string_view name = "primary_small";
+  static constexpr std::string_view name = "primary_small", word = primary_word;
+  static constexpr double share = 1 - default_large_step;
   Kelemen kernel{};
 
   template <class Space>

@@ -32,12 +32,12 @@ ordered_json film_of(const description::Scene& scene) {
 }
 
 ordered_json requirements_of(const description::Scene& scene) {
-  const Requirements needs =
-      requires_of(scene, std::vector<std::string>(Family::names.begin(), Family::names.end()));
+  const Requirements needs = requires_of(scene);
+  const MutationChoice choice = choose_mutations(needs);
   return {{"dimension", needs.dimension}, {"colour_channels", needs.colour_channels},
           {"materials", needs.materials}, {"shapes", needs.shapes},
           {"specular", needs.specular},   {"caustic_paths_possible", needs.caustic_paths_possible},
-          {"mutations", needs.mutations}, {"left_out", needs.left_out}};
+          {"mutations", choice.taken},    {"left_out", choice.left_out}};
 }
 
 ordered_json json_of(const std::vector<Fault>& faults) {

@@ -45,7 +45,9 @@ Rendering render(const description::Scene& description, std::string_view method,
     return rendering;
   }
   const Transport<Flatland> transport(*scene, Roulette::off);
-  const Family family = make_family(weights, scene->max_vertices());
+  const Family family =
+      make_family(weights.empty() ? choose_mutations(requires_of(description)).weights : weights,
+                  scene->max_vertices());
   return ChainRenderer(transport, family, session, ChainSettings{}).render("mlt");
 }
 

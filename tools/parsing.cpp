@@ -69,9 +69,9 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 std::pair<std::string, double> weight_in(std::string_view item) {
   const std::size_t equals = item.find('=');
   const std::string_view word = item.substr(0, equals);
-  if (std::find(mutation_words.begin(), mutation_words.end(), word) == mutation_words.end())
-    throw UsageError(
-        fmt::format("--mutations: {}", unknown_word("mutation", word, mutation_words)));
+  const std::vector<std::string_view> words = mutation_words();
+  if (std::find(words.begin(), words.end(), word) == words.end())
+    throw UsageError(fmt::format("--mutations: {}", unknown_word("mutation", word, words)));
   const auto weight =
       equals == std::string_view::npos ? std::nullopt : number_in<double>(item.substr(equals + 1));
   if (!weight || !std::isfinite(*weight) || *weight < 0)

@@ -44,8 +44,10 @@ void require_sensible(const RenderOptions& options, const Global& global) {
 void require_possible(const RenderOptions& options, const description::Scene& scene) {
   if (options.method->name == "lt-naive" && scene.camera)
     throw UsageError(
-        "lt-naive cannot see through a camera: its light paths must hit the sensor by chance, and no "
-        "path hits a pinhole, nor a lens, which is no surface of the scene; use lt, or a sensor shape");
+        "lt-naive cannot see through a camera: its light paths must hit the sensor by chance, and "
+        "no "
+        "path hits a pinhole, nor a lens, which is no surface of the scene; use lt, or a sensor "
+        "shape");
 }
 
 SceneDocument scene_for(const RenderOptions& options) {
@@ -142,7 +144,7 @@ void add_render(CLI::App& app, Global& global) {
           "--mutations",
           [options](const std::string& text) { options->mutations = parse_mutations(text); },
           "auto (the default: all that the scene can use), or relative weights of these: "
-          "bidirectional=1,primary=1")
+          "bidirectional=1,lens=2,caustic=1,primary=1")
       ->type_name("SPEC");
   verb->add_option_function<std::string>(
           "--max-vertices",

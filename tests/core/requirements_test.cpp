@@ -22,7 +22,7 @@ Scene scene_with(description::MaterialKind material) {
 description::Quantity grey(double value) { return {{value, value, value}, false}; }
 
 TEST(Requirements, OnlyMaterialsThatShapesWearCount) {
-  const Requirements needs = requires_of(scene_with(description::Diffuse{grey(0.5)}), {});
+  const Requirements needs = requires_of(scene_with(description::Diffuse{grey(0.5)}));
   EXPECT_EQ(needs.materials, std::vector<std::string>{"diffuse"});
   EXPECT_EQ(needs.shapes, (std::vector<std::string>{"circle", "segment"}));
   EXPECT_FALSE(needs.specular);
@@ -33,46 +33,47 @@ TEST(Requirements, AMirrorOrAnInterfaceIsSpecularAndMakesCaustics) {
   for (const description::MaterialKind& kind :
        {description::MaterialKind(description::Mirror{grey(0.9)}),
         description::MaterialKind(description::Dielectric{})}) {
-    const Requirements needs = requires_of(scene_with(kind), {});
+    const Requirements needs = requires_of(scene_with(kind));
     EXPECT_TRUE(needs.specular);
     EXPECT_TRUE(needs.caustic_paths_possible);
   }
 }
 
 TEST(Requirements, AMirrorThatReflectsNothingIsNotSpecular) {
-  EXPECT_FALSE(requires_of(scene_with(description::Mirror{grey(0)}), {}).specular);
+  EXPECT_FALSE(requires_of(scene_with(description::Mirror{grey(0)})).specular);
 }
 
 TEST(Requirements, ACausticNeedsAVertexBetweenLightAndSensor) {
   Scene scene = scene_with(description::Mirror{grey(0.9)});
   scene.max_vertices = 2;
-  EXPECT_TRUE(requires_of(scene, {}).specular);
-  EXPECT_FALSE(requires_of(scene, {}).caustic_paths_possible);
+  EXPECT_TRUE(requires_of(scene).specular);
+  EXPECT_FALSE(requires_of(scene).caustic_paths_possible);
 }
 
 TEST(Requirements, ACameraSeesACausticOnlyOnASurfaceThatScatters) {
   Scene scene = scene_with(description::Mirror{grey(0.9)});
   scene.shapes[2].sensor.reset();
   scene.camera.emplace();
-  EXPECT_FALSE(requires_of(scene, {}).caustic_paths_possible);
+  EXPECT_FALSE(requires_of(scene).caustic_paths_possible);
   scene.materials.push_back({"floor", description::Diffuse{grey(0.5)}});
   scene.shapes[2].material = 2;
-  EXPECT_TRUE(requires_of(scene, {}).caustic_paths_possible);
+  EXPECT_TRUE(requires_of(scene).caustic_paths_possible);
   scene.max_vertices = 3;
-  EXPECT_FALSE(requires_of(scene, {}).caustic_paths_possible);
+  EXPECT_FALSE(requires_of(scene).caustic_paths_possible);
 }
 
 TEST(Requirements, OneColouredNumberMakesThreeChannels) {
   Scene scene = scene_with(description::Diffuse{grey(0.5)});
-  EXPECT_EQ(requires_of(scene, {}).colour_channels, 1);
+  EXPECT_EQ(requires_of(scene).colour_channels, 1);
   scene.shapes[0].light->radiance.coloured = true;
-  EXPECT_EQ(requires_of(scene, {}).colour_channels, 3);
+  EXPECT_EQ(requires_of(scene).colour_channels, 3);
 }
 
-TEST(Requirements, EveryKnownMutationWorksInEveryScene) {
-  const Requirements needs = requires_of(scene_with(description::Diffuse{grey(0.5)}), {"a", "b"});
-  EXPECT_EQ(needs.mutations, (std::vector<std::string>{"a", "b"}));
-  EXPECT_TRUE(needs.left_out.empty());
+TEST(Requirements, GlossIsRoughnessThatReflectsOrRefracts) {
+  EXPECT_TRUE(requires_of(scene_with(description::RoughConductor{0.1, grey(0.9)})).glossy);
+  EXPECT_FALSE(requires_of(scene_with(description::RoughConductor{0.1, grey(0)})).glossy);
+  EXPECT_FALSE(requires_of(scene_with(description::Diffuse{grey(0.5)})).glossy);
+  EXPECT_TRUE(requires_of(scene_with(description::Diffuse{grey(0.5)})).scatters);
 }
 
 }  // namespace

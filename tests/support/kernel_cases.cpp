@@ -23,6 +23,9 @@ std::vector<KernelCase> kernel_cases() {
   return {of("Bidirectional", [](int) { return alone(Bidirectional{}); }),
           of("PrimarySmall", [](int) { return alone(PrimarySmall{}); }),
           of("PrimaryLarge", [](int longest) { return alone(PrimaryLarge(longest)); }),
+          of("Lens", [](int) { return alone(Lens{}); }),
+          of("Caustic", [](int) { return alone(Caustic{}); }),
+          of("Multichain", [](int) { return alone(Multichain{}); }),
           of("Family", [](int longest) { return make_family({}, longest); })};
 }
 

@@ -1,0 +1,25 @@
+// A distance whose logarithm is uniform: many scales, each as often [Veach and Guibas 1997, 5.3.2].
+//   p(d) = 1 / (d ln(largest / smallest)),  smallest < d <= largest
+#pragma once
+
+#include <cmath>
+
+namespace wander {
+
+struct LogUniform {
+  double smallest, largest;
+
+  struct Distance {
+    double value;
+    double density;  // p(value)
+  };
+
+  template <class Random>
+  Distance draw(Random& random) const {
+    const double log_ratio = std::log(largest / smallest);
+    const double distance = largest * std::exp(-log_ratio * random.uniform());
+    return {distance, 1 / (distance * log_ratio)};
+  }
+};
+
+}  // namespace wander
