@@ -8,9 +8,8 @@
 
 #include <vector>
 
-#include "core/techniques.h"
-#include "mlt/join.h"
 #include "mlt/mutation.h"
+#include "mlt/single_technique.h"
 
 namespace wander {
 
@@ -31,26 +30,13 @@ struct PrimaryLarge {
                    Path<typename Space::Universe>& y, Random& random) const {
     const int n = 2 + random.choose(length_pmf);
     const int s = random.choose(technique_count(space, n));
-    y.resize(n);
-    if (s > 0) space.begin_light(y, 0, random);
-    for (int i = 0; i + 1 < s; ++i)
-      if (!space.extend(y, i, Toward::sensor, random)) return Failure{Reason::missed_scene};
-    if (s < n) space.begin_sensor(y, n - 1, random);
-    for (int i = n - 1; i > s; --i)
-      if (!space.extend(y, i, Toward::light, random)) return Failure{Reason::missed_scene};
-    Reason flaw = join(space, y, s);
-    if (flaw == Reason::none) flaw = evaluate(space, y, 0, n - 1);
+    const Reason flaw = sample_technique(space, y, n, s, random);
     if (flaw != Reason::none) return Failure{flaw};
     measure(space, y);
     return Proposal{density(space, y), density(space, x)};
   }
 
  private:
-  // s = 0 … n - 1, and n where the sensor can be hit.
-  template <class Space>
-  static int technique_count(const Space& space, int n) {
-    return space.sensor_can_be_hit() ? n + 1 : n;
-  }
   template <class Space>
   Scaled density(const Space& space, const Path<typename Space::Universe>& z) const {
     const double q = length_pmf[static_cast<std::size_t>(z.size()) - 2];
