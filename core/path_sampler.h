@@ -5,9 +5,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "core/random_place.h"
 #include "core/techniques.h"
 #include "core/transport.h"
 
@@ -52,8 +52,10 @@ class PathSampler {
   template <class Random>
   int walk(Path<W>& x, int i, Toward toward, int most, Random& random) {
     const int step = toward == Toward::sensor ? 1 : -1;
+    const Subpath subpath = toward == Toward::sensor ? Subpath::light : Subpath::sensor;
     int count = 1;
     for (; count < most; ++count, i += step) {
+      seek(random, {subpath, count});
       const double q = space_.survival(x[i]);
       if (q < 1 && !(random.uniform() < q)) break;
       if (!space_.extend(x, i, toward, random)) break;
@@ -66,6 +68,7 @@ class PathSampler {
   void walk_from_light(Random& random) {
     light_count_ = std::min({set_.most_light, longest_});
     if (light_count_ == 0) return;
+    seek(random, {Subpath::light, 0});
     space_.begin_light(light_, 0, random);
     // Only a technique without sensor vertices needs the last one.
     if (set_.fewest_sensor > 0)
@@ -76,6 +79,7 @@ class PathSampler {
   void walk_from_sensor(Random& random) {
     sensor_count_ = std::min(set_.most_sensor, longest_);
     if (sensor_count_ == 0) return;
+    seek(random, {Subpath::sensor, 0});
     space_.begin_sensor(sensor_, sensor_index(1), random);
     if (set_.fewest_light > 0)
       sensor_count_ = std::min(sensor_count_, longest_ - set_.fewest_light);
@@ -108,8 +112,14 @@ class PathSampler {
     joined_.resize(s + t);
     joined_.copy(light_, 0, s, 0);
     joined_.copy(sensor_, sensor_index(t), t, s);
-    if (s == 1 && t > 1) space_.begin_light(joined_, 0, random);
-    if (t == 1 && s > 1) space_.begin_sensor(joined_, s, random);
+    if (s == 1 && t > 1) {
+      seek(random, {Subpath::light_end, t});
+      space_.begin_light(joined_, 0, random);
+    }
+    if (t == 1 && s > 1) {
+      seek(random, {Subpath::sensor_end, s});
+      space_.begin_sensor(joined_, s, random);
+    }
     if (space_.connect(joined_, s - 1) != Connection::open) return;
     space_.evaluate(joined_, s - 1);
     space_.evaluate(joined_, s);
@@ -117,9 +127,7 @@ class PathSampler {
   }
   template <class Sink>
   void deliver(int s, Sink&& sink) {
-    const double c = unweighted_contribution(joined_, s);
-    if (!(c > 0) || !std::isfinite(c)) return;
-    const double weighted = c * mis_weight(space_, joined_, s, set_, heuristic_);
+    const double weighted = weighted_contribution(space_, joined_, s, set_, heuristic_);
     if (weighted > 0) sink(std::as_const(joined_), s, weighted);
   }
 

@@ -5,6 +5,7 @@
 // and all weights of a path take linear time [Veach 1997, 10.2].
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <span>
 
@@ -34,6 +35,12 @@ bool can_sample(const Space& space, const Path<W>& x, int s, const TechniqueSet&
   if (s == 0) return true;
   if (s == n) return space.sensor_can_be_hit();
   return space.can_connect(x[s - 1]) && space.can_connect(x[s]);
+}
+
+// How many techniques make paths of n vertices: s = 0 … n - 1, and n where the sensor can be hit.
+template <class Space>
+int technique_count(const Space& space, int n) {
+  return space.sensor_can_be_hit() ? n + 1 : n;
 }
 
 // Multiple importance sampling [Veach 1997, 9.2]: w_s ∝ p_s^β, with β = 1 the balance heuristic and
@@ -78,6 +85,14 @@ double unweighted_contribution(const Path<W>& x, int s) {
   for (int i = n - 1; i >= s; --i)
     c *= (i < n - 1 ? x[i].geometry : 1) * x[i].value / x[i].from_sensor;
   return c;
+}
+
+// w_s f / p_{s,t}; 0 where that is no positive number.
+template <class Space, class W>
+double weighted_contribution(const Space& space, const Path<W>& x, int s, const TechniqueSet& set,
+                             Heuristic heuristic) {
+  const double c = unweighted_contribution(x, s);
+  return c > 0 && std::isfinite(c) ? c * mis_weight(space, x, s, set, heuristic) : 0;
 }
 
 // Writes f(x), the intensity Σ_s p_{s,t}(x) over the techniques of a sampler that gives each the

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "mlt/mutation.h"
+#include "mlt/seed_pass.h"
 
 namespace wander {
 
@@ -45,6 +46,12 @@ class Mixture {
     return {selected, proposed};
   }
 
+  // Before the chains start: what a seed pass found, for the mutations that can use it.  A kernel
+  // must learn from other seeds than those its chains start from, or the film is biased.
+  void learn(const SeedTally& seeds) {
+    std::apply([&](Mutations&... m) { (teach(m, seeds), ...); }, mutations_);
+  }
+
   // s_i(x); all zero where nothing is applicable.
   template <class Space>
   std::array<double, count> probabilities(const Space& space,
@@ -63,6 +70,11 @@ class Mixture {
   }
 
  private:
+  template <class M>
+  static void teach(M& mutation, const SeedTally& seeds) {
+    if constexpr (requires { mutation.learn(seeds); }) mutation.learn(seeds);
+  }
+
   // Calls f with the mutation of that index.
   template <class F>
   Proposed dispatch(std::size_t index, F&& f) const {

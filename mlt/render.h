@@ -9,10 +9,9 @@
 #include <memory>
 
 #include "core/run.h"
-#include "mlt/deposit.h"
+#include "mlt/group.h"
 #include "mlt/normalization.h"
-#include "mlt/seed_pass.h"
-#include "mlt/statistics.h"
+#include "mlt/path_group.h"
 
 namespace wander {
 
@@ -29,92 +28,17 @@ class NoLightFound : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// A group: its slice of the seed pass, its chains, and what they deposit.
-template <class Space, class Kernel>
-class ChainGroup {
- public:
-  using W = typename Space::Universe;
-
-  ChainGroup(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains)
-      : space_(space),
-        kernel_(kernel),
-        seed_(seed),
-        first_chain_(group * chains),
-        chain_count_(chains),
-        slice_(space, seed, group, chains),
-        film_(space.scene().bins(), space.max_vertices()),
-        statistics_(Kernel::names, space.scene().bins()) {}
-
-  void add_seeds(std::uint64_t count) { slice_.run(count); }
-  const SeedTally& tally() const { return slice_.tally(); }
-  bool found_light() const { return slice_.found_light(); }
-
-  void start_chains() {
-    if (!found_light()) return;
-    for (int k = 0; k < chain_count_; ++k) {
-      const Path<W> path = slice_.replay(slice_.seed(k), space_.max_vertices());
-      chains_.push_back({Chain<Space, Kernel>(space_, kernel_, path),
-                         Rng(seed_, Purpose::chain, static_cast<std::uint32_t>(first_chain_ + k)),
-                         space_.bin(path), 0});
-    }
-  }
-
-  // Makes `steps` more steps, shared evenly among the chains.
-  void advance(std::uint64_t steps) {
-    const std::uint64_t target = this->steps() + steps;
-    const auto count = static_cast<std::uint64_t>(chains_.size());
-    for (std::uint64_t k = 0; k < count; ++k) {
-      Member& member = chains_[k];
-      const std::uint64_t share = target / count + (k < target % count ? 1 : 0);
-      while (member.steps < share) step(member);
-    }
-    steps_ = target;
-  }
-  std::uint64_t steps() const { return steps_; }
-
-  void deliver(GroupsFilm& film, MutationStatistics& statistics) const {
-    if (steps_ == 0) return film.add_dark_group();
-    film.add(film_, tally().mean(), steps_);
-    statistics.merge(statistics_);
-  }
-
- private:
-  struct Member {
-    Chain<Space, Kernel> chain;
-    Rng random;
-    int bin;  // where the current path meets the film
-    std::uint64_t steps;
-  };
-
-  void step(Member& member) {
-    member.random.start(member.steps++);
-    member.chain.step(member.random, [&](const Step<W>& step) {
-      deposit(space_, step, member.bin, film_);
-      statistics_.observe(step, member.bin);
-      if (step.accepted()) member.bin = space_.bin(step.proposed);
-    });
-  }
-
-  const Space& space_;
-  const Kernel& kernel_;
-  std::uint64_t seed_;
-  int first_chain_, chain_count_;
-  SeedSlice<Space> slice_;
-  std::vector<Member> chains_;
-  GroupFilm film_;
-  MutationStatistics statistics_;
-  std::uint64_t steps_ = 0;
-};
-
-template <class Space, class Kernel>
+// `Chains` is a Group, made of a space and the kernel of its chains.
+template <class Space, Group Chains>
 class ChainRenderer {
  public:
+  template <class Kernel>
   ChainRenderer(const Space& space, const Kernel& kernel, const Session& session,
                 ChainSettings settings)
       : space_(space), session_(session), settings_(fitted(settings, session)), run_(session) {
     for (int g = 0; g < settings_.groups; ++g)
       groups_.push_back(
-          std::make_unique<Group>(space, kernel, session.seed, g, settings_.chains_per_group));
+          std::make_unique<Chains>(space, kernel, session.seed, g, settings_.chains_per_group));
   }
 
   Rendering render(const char* method) {
@@ -122,13 +46,12 @@ class ChainRenderer {
     const double seed_seconds = run_.seconds();
     const SeedTally tally = merged_tally();
     if (!(tally.total.value() > 0)) throw NoLightFound(no_light(tally.samples));
-    in_parallel([](Group& group) { group.start_chains(); });
+    start_chains();
     run_chains();
     return rendering(method, tally, seed_seconds);
   }
 
  private:
-  using Group = ChainGroup<Space, Kernel>;
   static constexpr std::uint64_t steps_per_round = 1024;  // of each group
   static constexpr std::uint64_t seeds_per_round = 256;
 
@@ -142,7 +65,7 @@ class ChainRenderer {
     return settings;
   }
 
-  void in_parallel(const std::function<void(Group&)>& work) {
+  void in_parallel(const std::function<void(Chains&)>& work) {
     run_parallel(run_, settings_.groups,
                  [&](int g) { work(*groups_[static_cast<std::size_t>(g)]); });
   }
@@ -160,7 +83,7 @@ class ChainRenderer {
     }
     for (std::uint64_t done = 0; done < per_group;) {
       const std::uint64_t count = std::min(seeds_per_round, per_group - done);
-      in_parallel([&](Group& group) { group.add_seeds(count); });
+      in_parallel([&](Chains& group) { group.add_seeds(count); });
       done += count;
       const double fraction = std::max(static_cast<double>(done) / static_cast<double>(per_group),
                                        run_.seconds() / seconds);
@@ -169,18 +92,27 @@ class ChainRenderer {
     }
   }
 
+  void start_chains() {
+    run_parallel(run_, settings_.groups, [&](int g) {
+      SeedTally others(space_.max_vertices());
+      for (int h = 0; h < settings_.groups; ++h)
+        if (h != g) others.merge(groups_[static_cast<std::size_t>(h)]->tally());
+      groups_[static_cast<std::size_t>(g)]->start_chains(others);
+    });
+  }
+
   SeedTally merged_tally() const {
     SeedTally tally(space_.max_vertices());
     for (const auto& group : groups_) tally.merge(group->tally());
     return tally;
   }
 
-  // Steps still to be made by each group that has chains, in one round or until the end.
+  // The steps are shared evenly by the groups that take any.
   void run_chains() {
-    std::vector<Group*> lit;
+    std::vector<Chains*> active;
     for (const auto& group : groups_)
-      if (group->found_light()) lit.push_back(group.get());
-    const auto count = static_cast<std::uint64_t>(lit.size());
+      if (group->takes_steps()) active.push_back(group.get());
+    const auto count = static_cast<std::uint64_t>(active.size());
     const auto* budget = std::get_if<SampleBudget>(&session_.budget);
     const std::uint64_t target =
         budget ? budget->samples : std::numeric_limits<std::uint64_t>::max();
@@ -191,7 +123,7 @@ class ChainRenderer {
       run_parallel(run_, static_cast<int>(count), [&](int i) {
         const auto k = static_cast<std::uint64_t>(i);
         const std::uint64_t goal = (done + round) / count + (k < (done + round) % count ? 1 : 0);
-        lit[k]->advance(goal - lit[k]->steps());
+        active[k]->advance(goal - active[k]->steps());
       });
       done += round;
       const double fraction = std::max(static_cast<double>(done) / static_cast<double>(target),
@@ -202,12 +134,15 @@ class ChainRenderer {
   }
 
   Rendering rendering(const char* method, const SeedTally& tally, double seed_seconds) const {
+    Rendering r;
     const auto resolution = space_.scene().resolution();
     GroupsFilm film({resolution.begin(), resolution.end()});
-    MutationStatistics statistics(Kernel::names, space_.scene().bins());
-    for (const auto& group : groups_) group->deliver(film, statistics);
+    MutationStatistics statistics(Chains::move_names(), space_.scene().bins());
+    for (const auto& group : groups_) {
+      group->deliver(film, statistics);
+      r.chains += group->chains();
+    }
     const auto* budget = std::get_if<SampleBudget>(&session_.budget);
-    Rendering r;
     r.complete = budget ? statistics.steps() == budget->samples : !run_.is_interrupted();
     r.method = method;
     r.samples = statistics.steps();
@@ -218,7 +153,6 @@ class ChainRenderer {
     r.film = film.estimate();
     r.normalization = normalization(tally);
     r.groups = settings_.groups;
-    r.chains = settings_.groups * settings_.chains_per_group;
     r.mutations = statistics.records();
     r.warnings = warnings(tally, r.film);
     return r;
@@ -246,7 +180,12 @@ class ChainRenderer {
   const Session& session_;
   ChainSettings settings_;
   Run run_;
-  std::vector<std::unique_ptr<Group>> groups_;
+  std::vector<std::unique_ptr<Chains>> groups_;
 };
+
+// Chains of a kernel in path space; other groups are named by the caller.
+template <class Space, class Kernel>
+ChainRenderer(const Space&, const Kernel&, const Session&, ChainSettings)
+    -> ChainRenderer<Space, PathGroup<Space, Kernel>>;
 
 }  // namespace wander

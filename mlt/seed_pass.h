@@ -12,15 +12,11 @@
 
 #include "core/path_sampler.h"
 #include "core/sum.h"
+#include "core/technique_table.h"
+#include "mlt/primary_numbers.h"
+#include "mlt/seeds.h"
 
 namespace wander {
-
-// A path of the seed pass: sample index and technique find it again, `weight` proves it.
-struct Seed {
-  std::uint64_t sample = 0;
-  int vertices = 0, technique = 0;
-  double weight = 0;  // w f / p
-};
 
 class SeedReplayError : public std::runtime_error {
  public:
@@ -32,9 +28,12 @@ struct SeedTally {
   std::uint64_t samples = 0;
   std::vector<Sum> sum, squares;  // by vertices - 2
   Sum total, total_squares;
+  TechniqueTable techniques;  // Σ w f/p of each
 
   explicit SeedTally(int max_vertices)
-      : sum(static_cast<std::size_t>(max_vertices) - 1), squares(sum.size()) {}
+      : sum(static_cast<std::size_t>(max_vertices) - 1),
+        squares(sum.size()),
+        techniques(max_vertices) {}
   void merge(const SeedTally& other) {
     samples += other.samples;
     for (std::size_t k = 0; k < sum.size(); ++k) {
@@ -43,6 +42,13 @@ struct SeedTally {
     }
     total += other.total;
     total_squares += other.total_squares;
+    for (std::size_t i = 0; i < techniques.values().size(); ++i)
+      techniques.values()[i] += other.techniques.values()[i];
+  }
+  // Of the paths of so many vertices.
+  double mean(int vertices) const {
+    const double total_of_length = sum[static_cast<std::size_t>(vertices) - 2].value();
+    return samples > 0 ? total_of_length / static_cast<double>(samples) : 0;
   }
   double mean() const { return samples > 0 ? total.value() / static_cast<double>(samples) : 0; }
   // (Σ x)² / Σ x²: how many samples carry the estimate.
@@ -52,17 +58,17 @@ struct SeedTally {
   }
 };
 
-// One group's slice of the seed pass, for a number of chains.
-template <class Space>
+// One group's slice of the seed pass.  `Seeds` is what it draws for the chains (seeds.h).
+template <class Space, class Seeds = PathSeeds>
 class SeedSlice {
  public:
   using W = typename Space::Universe;
 
-  SeedSlice(const Space& space, std::uint64_t seed, int group, int chains)
+  // `count`: how many seeds.
+  SeedSlice(const Space& space, std::uint64_t seed, int group, int count)
       : sampler_(space, all_techniques, Heuristic::balance),
         samples_(seed, Purpose::seed_pass, static_cast<std::uint32_t>(group)),
-        resample_(seed, Purpose::resample, static_cast<std::uint32_t>(group)),
-        seeds_(static_cast<std::size_t>(chains)),
+        seeds_(Rng(seed, Purpose::resample, static_cast<std::uint32_t>(group)), count),
         tally_(space.max_vertices()),
         by_length_(tally_.sum.size()) {}
 
@@ -72,7 +78,7 @@ class SeedSlice {
 
   const SeedTally& tally() const { return tally_; }
   bool found_light() const { return tally_.total.value() > 0; }
-  const Seed& seed(int chain) const { return seeds_[static_cast<std::size_t>(chain)]; }
+  const Seed& seed(int chain) const { return seeds_[chain]; }
 
   // The path of a seed, whose weight must come out as it was, bit for bit.
   Path<W> replay(const Seed& seed, int max_vertices) {
@@ -89,19 +95,35 @@ class SeedSlice {
     return path;
   }
 
+  // The random numbers of a seed's sample, at their places.
+  PrimaryNumbers numbers(const Seed& seed, const PrimaryLayout<W>& layout) {
+    PrimaryNumbers numbers(layout.of_samples());
+    samples_.start(seed.sample);
+    PrimarySource source(layout, [&](std::size_t k) {
+      const double u = samples_.uniform();
+      numbers.set(k, u);
+      return u;
+    });
+    sampler_.sample(source, [](const Path<W>&, int, double) {});
+    return numbers;
+  }
+
  private:
   void add_sample() {
     const std::uint64_t index = tally_.samples++;
     samples_.start(index);
-    resample_.start(index);
+    seeds_.start(index);
     double total = 0;
     sampler_.sample(samples_, [&](const Path<W>& x, int s, double weight) {
       total += weight;
       by_length_[static_cast<std::size_t>(x.size()) - 2] += weight;
       tally_.total += weight;
-      offer({index, x.size(), s, weight});
+      if (tally_.techniques.has(x.size()))
+        tally_.techniques.row(x.size())[static_cast<std::size_t>(s)] += weight;
+      seeds_.offer_path({index, x.size(), s, weight});
     });
     if (total == 0) return;
+    seeds_.offer_sample({.sample = index, .weight = total});
     tally_.total_squares += total * total;
     for (std::size_t k = 0; k < by_length_.size(); ++k) {
       if (by_length_[k] == 0) continue;
@@ -111,16 +133,9 @@ class SeedSlice {
     }
   }
 
-  // Each chain's seed is replaced with probability weight / Σ weights so far [Chao 1982].
-  void offer(const Seed& candidate) {
-    const double share = candidate.weight / tally_.total.value();
-    for (Seed& seed : seeds_)
-      if (resample_.uniform() < share) seed = candidate;
-  }
-
   PathSampler<Space> sampler_;
-  Rng samples_, resample_;
-  std::vector<Seed> seeds_;
+  Rng samples_;
+  Seeds seeds_;
   SeedTally tally_;
   std::vector<double> by_length_;  // of the sample under way
 };

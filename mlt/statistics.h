@@ -13,18 +13,24 @@ namespace wander {
 
 class MutationStatistics {
  public:
+  static constexpr int no_bin = -1;
+
   MutationStatistics(std::span<const std::string_view> names, int bins);
 
   // `bin`: where the current path meets the film.
   template <class W>
   void observe(const Step<W>& step, int bin) {
-    Tally& tally = tallies_[static_cast<std::size_t>(step.mutation)];
-    const auto b = static_cast<std::size_t>(bin);
+    observe(step.mutation, step.reason, step.acceptance, bin);
+  }
+  // The same of a chain whose state is no path; in a state without light the bin is `no_bin`.
+  void observe(int mutation, Reason reason, double acceptance, int bin) {
+    Tally& tally = tallies_[static_cast<std::size_t>(mutation)];
     ++tally.proposed;
-    ++tally.reasons[static_cast<std::size_t>(step.reason)];
-    tally.acceptance += step.acceptance;
-    tally.proposed_per_bin[b] += 1;
-    tally.acceptance_per_bin[b] += step.acceptance;
+    ++tally.reasons[static_cast<std::size_t>(reason)];
+    tally.acceptance += acceptance;
+    if (bin == no_bin) return;
+    tally.proposed_per_bin[static_cast<std::size_t>(bin)] += 1;
+    tally.acceptance_per_bin[static_cast<std::size_t>(bin)] += acceptance;
   }
 
   void merge(const MutationStatistics& other);

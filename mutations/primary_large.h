@@ -1,27 +1,51 @@
 // The large step: a path that owes nothing to the present one.  Length, technique and random
-// numbers are fresh: n with a fixed pmf q, s uniform among the techniques of that length.
+// numbers are fresh, with a pmf q(n, s) = q(n) q(s | n).
 //
-//   T(x→y) = q(n_y) / |techniques(n_y)| Σ_s p_s(y),  a = min(1, [f / T](y) / [f / T](x)).
+//   T(x→y) = Σ_s q(n_y, s) p_s(y),  a = min(1, [f / T](y) / [f / T](x))
 // The sum over techniques is the density whichever of them made y.  It changes lengths and makes
 // any mixture ergodic.  Measure: area product.
+//
+// q is uniform, or what a seed pass has found: the share of b that each technique carried there
+// under the balance heuristic, which is one step of expectation maximization of ∫ f log T from the
+// uniform q; mixed with the uniform one, so that nothing that was not found becomes impossible.
 #pragma once
 
 #include <vector>
 
-#include "core/techniques.h"
-#include "mlt/join.h"
 #include "mlt/mutation.h"
+#include "mlt/seed_pass.h"
+#include "mlt/single_technique.h"
 #include "mutations/primary.h"
 
 namespace wander {
 
-struct PrimaryLarge {
+class PrimaryLarge {
+ public:
   static constexpr std::string_view name = "primary_large", word = primary_word;
   static constexpr double share = default_large_step;
-  std::vector<double> length_pmf;  // q(n) at n - 2; sums to 1
+  // Of q, after a seed pass.
+  static constexpr double uniform_part = 0.25;
 
   explicit PrimaryLarge(int max_vertices)
-      : length_pmf(static_cast<std::size_t>(max_vertices) - 1, 1.0 / (max_vertices - 1)) {}
+      : length_pmf_(static_cast<std::size_t>(max_vertices) - 1, 1.0 / (max_vertices - 1)),
+        technique_pmf_(max_vertices) {
+    for (int n = 2; n <= technique_pmf_.most(); ++n)
+      std::ranges::fill(technique_pmf_.row(n), 1.0 / (n + 1));
+  }
+
+  void learn(const SeedTally& seeds) {
+    const double b = seeds.total.value();
+    if (!(b > 0)) return;
+    for (std::size_t k = 0; k < length_pmf_.size(); ++k)
+      mix(length_pmf_[k], seeds.sum[k].value() / b);
+    for (int n = 2; n <= technique_pmf_.most(); ++n) {
+      double total = 0;
+      for (const double share : seeds.techniques.row(n)) total += share;
+      if (!(total > 0)) continue;
+      for (std::size_t s = 0; s < technique_pmf_.row(n).size(); ++s)
+        mix(technique_pmf_.row(n)[s], seeds.techniques.row(n)[s] / total);
+    }
+  }
 
   template <class Space>
   double applicability(const Space&, const Path<typename Space::Universe>&) const {
@@ -31,33 +55,34 @@ struct PrimaryLarge {
   template <class Space, class Random>
   Proposed propose(const Space& space, const Path<typename Space::Universe>& x,
                    Path<typename Space::Universe>& y, Random& random) const {
-    const int n = 2 + random.choose(length_pmf);
-    const int s = random.choose(technique_count(space, n));
-    y.resize(n);
-    if (s > 0) space.begin_light(y, 0, random);
-    for (int i = 0; i + 1 < s; ++i)
-      if (!space.extend(y, i, Toward::sensor, random)) return Failure{Reason::missed_scene};
-    if (s < n) space.begin_sensor(y, n - 1, random);
-    for (int i = n - 1; i > s; --i)
-      if (!space.extend(y, i, Toward::light, random)) return Failure{Reason::missed_scene};
-    Reason flaw = join(space, y, s);
-    if (flaw == Reason::none) flaw = evaluate(space, y, 0, n - 1);
+    const int n = 2 + random.choose(length_pmf_);
+    const int s = technique_pmf_.has(n) ? random.choose(technique_pmf_.row(n))
+                                        : random.choose(technique_count(space, n));
+    const Reason flaw = sample_technique(space, y, n, s, random);
     if (flaw != Reason::none) return Failure{flaw};
     measure(space, y);
     return Proposal{density(space, y), density(space, x)};
   }
 
  private:
-  // s = 0 … n - 1, and n where the sensor can be hit.
-  template <class Space>
-  static int technique_count(const Space& space, int n) {
-    return space.sensor_can_be_hit() ? n + 1 : n;
-  }
+  static void mix(double& q, double found) { q = uniform_part * q + (1 - uniform_part) * found; }
+
+  // Σ_s q(n, s) p_s(z), with p_s = w_s Σ p.
   template <class Space>
   Scaled density(const Space& space, const Path<typename Space::Universe>& z) const {
-    const double q = length_pmf[static_cast<std::size_t>(z.size()) - 2];
-    return Scaled(q / technique_count(space, z.size())) * z.intensity;
+    const int n = z.size();
+    double q = 0;
+    if (technique_pmf_.has(n)) {
+      const auto row = technique_pmf_.row(n);
+      for (std::size_t s = 0; s < row.size(); ++s) q += row[s] * z.weights()[s];
+    } else {
+      q = 1.0 / technique_count(space, n);
+    }
+    return Scaled(length_pmf_[static_cast<std::size_t>(n) - 2] * q) * z.intensity;
   }
+
+  std::vector<double> length_pmf_;  // q(n) at n - 2; sums to 1
+  TechniqueTable technique_pmf_;    // q(s | n); beyond the table, uniform
 };
 
 }  // namespace wander

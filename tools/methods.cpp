@@ -5,13 +5,17 @@
 
 #include "core/build_scene.h"
 #include "core/estimate.h"
+#include "mlt/mmlt_group.h"
+#include "mlt/pssmlt_group.h"
 #include "mlt/render.h"
+#include "mutations/kelemen.h"
 
 namespace wander {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> names{"pt", "lt", "bdpt", "mlt", "pt-naive", "lt-naive"};
+constexpr std::array<std::string_view, 8> names{"pt",     "lt",   "bdpt",     "mlt",
+                                                "pssmlt", "mmlt", "pt-naive", "lt-naive"};
 
 void warn_if_dark(Rendering& rendering) {
   const auto& value = rendering.film.value;
@@ -30,12 +34,25 @@ void warn_if_blind(Rendering& rendering, const Scene<Flatland>& scene) {
       "their light is missing from this film; use pt, bdpt or mlt");
 }
 
+using Flat = Transport<Flatland>;
+
+template <template <class Space, class SmallStep, class Estimator> class Chains>
+Rendering render_primary(const Flat& space, const Session& session, const char* method,
+                         StepEstimator estimator) {
+  const PrimaryKernel<Kelemen> kernel{Kelemen{}, default_large_step};
+  const auto with = [&]<class Estimator>(Estimator) {
+    using Group = Chains<Flat, Kelemen, Estimator>;
+    return ChainRenderer<Flat, Group>(space, kernel, session, ChainSettings{}).render(method);
+  };
+  return estimator == StepEstimator::kelemen ? with(KelemenWeights{}) : with(ExpectedValues{});
+}
+
 }  // namespace
 
 std::span<const std::string_view> method_names() { return names; }
 
 Rendering render(const description::Scene& description, std::string_view method,
-                 const MutationWeights& weights, const Session& session) {
+                 const MutationWeights& weights, const Session& session, StepEstimator estimator) {
   const auto scene = build_flatland(description);
   for (const Estimator& estimator : estimators()) {
     if (method != estimator.name) continue;
@@ -44,7 +61,12 @@ Rendering render(const description::Scene& description, std::string_view method,
     warn_if_blind(rendering, *scene);
     return rendering;
   }
-  const Transport<Flatland> transport(*scene, Roulette::off);
+  const Flat transport(*scene, Roulette::off);
+  if (method == "pssmlt")
+    return render_primary<PssmltGroup>(
+        transport, session, "pssmlt",
+        estimator == StepEstimator::usual ? StepEstimator::kelemen : estimator);
+  if (method == "mmlt") return render_primary<MmltGroup>(transport, session, "mmlt", estimator);
   const Family family =
       make_family(weights.empty() ? choose_mutations(requires_of(description)).weights : weights,
                   scene->max_vertices());

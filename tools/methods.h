@@ -1,6 +1,7 @@
 // The methods of `render` by name: the one place where a name becomes an algorithm.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -11,11 +12,18 @@
 
 namespace wander {
 
-// pt, lt, bdpt, mlt, pt-naive, lt-naive.
+// pt, lt, bdpt, mlt, pssmlt, mmlt, pt-naive, lt-naive.
 std::span<const std::string_view> method_names();
 
-// `method` is one of method_names(); `weights` belongs to mlt.  Throws std::runtime_error.
+// What the steps of pssmlt and mmlt deposit (mlt/primary_estimator.h).  The usual of pssmlt is
+// Kelemen's, as published; that of mmlt is expected values.
+enum class StepEstimator { usual, kelemen, expected };
+inline constexpr std::array<std::string_view, 2> estimator_words{"kelemen", "expected"};
+
+// `method` is one of method_names(); `weights` belongs to mlt, `estimator` to pssmlt and mmlt.
+// Throws std::runtime_error.
 Rendering render(const description::Scene& scene, std::string_view method,
-                 const MutationWeights& weights, const Session& session);
+                 const MutationWeights& weights, const Session& session,
+                 StepEstimator estimator = StepEstimator::usual);
 
 }  // namespace wander

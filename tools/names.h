@@ -22,6 +22,10 @@ inline constexpr std::array methods{
     MethodName{"bdpt", MethodFamily::monte_carlo, "bidirectional path tracing"},
     MethodName{"mlt", MethodFamily::markov_chain,
                "Metropolis light transport in path space, all mutations"},
+    MethodName{"pssmlt", MethodFamily::markov_chain,
+               "Metropolis in primary sample space, whole bidirectional samples (Kelemen)"},
+    MethodName{"mmlt", MethodFamily::markov_chain,
+               "multiplexed Metropolis: primary sample space, a chain for each path length"},
     MethodName{"pt-naive", MethodFamily::monte_carlo, "path tracing that must hit a light"},
     MethodName{"lt-naive", MethodFamily::monte_carlo, "light tracing that must hit the sensor"},
 };

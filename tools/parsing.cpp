@@ -109,6 +109,14 @@ MutationWeights parse_mutations(std::string_view text) {
   return weights;
 }
 
+StepEstimator parse_estimator(std::string_view text) {
+  constexpr std::array estimators{StepEstimator::kelemen, StepEstimator::expected};
+  const auto found = std::find(estimator_words.begin(), estimator_words.end(), text);
+  if (found == estimator_words.end())
+    throw UsageError(unknown_word("estimator", text, estimator_words));
+  return estimators[static_cast<std::size_t>(found - estimator_words.begin())];
+}
+
 const MethodName& parse_method(std::string_view text) {
   std::vector<std::string_view> known;
   for (const MethodName& method : methods) {

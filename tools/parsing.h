@@ -20,6 +20,9 @@ Budget parse_budget(std::string_view text);
 // not named is not used.
 MutationWeights parse_mutations(std::string_view text);
 
+// `kelemen` or `expected`.
+StepEstimator parse_estimator(std::string_view text);
+
 const MethodName& parse_method(std::string_view text);
 
 std::uint64_t parse_seed(std::string_view text);

@@ -30,15 +30,19 @@ struct RenderOptions {
   const MethodName* method = nullptr;
   Budget budget = TimeBudget{5};
   MutationWeights mutations;
+  StepEstimator estimator = StepEstimator::usual;
   std::optional<int> max_vertices;
 };
 
 void require_sensible(const RenderOptions& options, const Global& global) {
   if (global.out.empty() && !global.json)
     throw UsageError("render needs -o DIR (where the film goes), or --json, or both");
-  if (!options.mutations.empty() && options.method->family != MethodFamily::markov_chain)
-    throw UsageError(fmt::format("--mutations is for Markov chain methods (mlt); {} has none",
-                                 options.method->name));
+  const std::string_view method = options.method->name;
+  if (!options.mutations.empty() && method != "mlt")
+    throw UsageError(fmt::format(
+        "--mutations is for mlt, whose mutations can be chosen; {} has none to choose", method));
+  if (options.estimator != StepEstimator::usual && method != "pssmlt" && method != "mmlt")
+    throw UsageError(fmt::format("--estimator is for pssmlt and mmlt; {} has one only", method));
 }
 
 void require_possible(const RenderOptions& options, const description::Scene& scene) {
@@ -67,7 +71,8 @@ Rendering rendering_of(const SceneDocument& document, const RenderOptions& optio
                         .threads = global.threads,
                         .interrupted = &watch_for_interruption(),
                         .report = progress.reporter()};
-  Rendering rendering = render(document.scene, options.method->name, options.mutations, session);
+  Rendering rendering =
+      render(document.scene, options.method->name, options.mutations, session, options.estimator);
   std::vector<std::string> warnings = scene_warnings(document, options.scene);
   rendering.warnings.insert(rendering.warnings.begin(), warnings.begin(), warnings.end());
   return rendering;
@@ -146,6 +151,12 @@ void add_render(CLI::App& app, Global& global) {
           "auto (the default: all that the scene can use), or relative weights of these: "
           "bidirectional=1,lens=2,caustic=1,primary=1")
       ->type_name("SPEC");
+  verb->add_option_function<std::string>(
+          "--estimator",
+          [options](const std::string& text) { options->estimator = parse_estimator(text); },
+          "of pssmlt and mmlt: kelemen (large steps count as independent samples, too; what "
+          "pssmlt does by default) or expected (plain expected values; mmlt's default)")
+      ->type_name("RULE");
   verb->add_option_function<std::string>(
           "--max-vertices",
           [options](const std::string& text) { options->max_vertices = parse_max_vertices(text); },

@@ -1,0 +1,68 @@
+// A group of chains: its slice of the seed pass, its chains, and what they deposit.  Groups share
+// nothing; they are the unit of parallel work, and their spread is the error bar.
+//
+// The constants of a group are those of its own slice: seeds and constants from one slice make the
+// film unbiased for chains of any length (seed_pass.h).  How much a group does must not depend on
+// that slice, or the product of the two is biased.
+#pragma once
+
+#include <concepts>
+
+#include "mlt/deposit.h"
+#include "mlt/seed_pass.h"
+#include "mlt/statistics.h"
+
+namespace wander {
+
+template <class G>
+concept Group = requires(G& group, const G& made, std::uint64_t count, const SeedTally& others,
+                         GroupsFilm& film, MutationStatistics& statistics) {
+  group.add_seeds(count);
+  { made.tally() } -> std::same_as<const SeedTally&>;
+  // After the seed pass; `others`: what all other groups found.
+  group.start_chains(others);
+  // Can steps add anything to the film?
+  { made.takes_steps() } -> std::same_as<bool>;
+  group.advance(count);  // makes so many more steps, of all chains together
+  { made.steps() } -> std::same_as<std::uint64_t>;
+  { made.chains() } -> std::same_as<int>;
+  made.deliver(film, statistics);
+  G::move_names();  // of what its statistics count
+};
+
+// What all groups have in common.
+template <class Space, class Seeds>
+class SeededGroup {
+ public:
+  void add_seeds(std::uint64_t count) { slice_.run(count); }
+  const SeedTally& tally() const { return slice_.tally(); }
+  std::uint64_t steps() const { return steps_; }
+
+ protected:
+  SeededGroup(const Space& space, std::uint64_t seed, int group, int seeds,
+              std::span<const std::string_view> moves)
+      : space_(space),
+        slice_(space, seed, group, seeds),
+        film_(space.scene().bins(), space.max_vertices()),
+        statistics_(moves, space.scene().bins()) {}
+
+  // step(k) for chain k, so often that the steps are shared evenly by `chains` of them.
+  template <class Step>
+  void share_evenly(std::uint64_t steps, std::uint64_t chains, Step&& step) {
+    const std::uint64_t target = steps_ + steps;
+    const auto share = [chains](std::uint64_t total, std::uint64_t k) {
+      return total / chains + (k < total % chains ? 1 : 0);
+    };
+    for (std::uint64_t k = 0; k < chains; ++k)
+      for (std::uint64_t i = share(steps_, k); i < share(target, k); ++i) step(k);
+    steps_ = target;
+  }
+
+  const Space& space_;
+  SeedSlice<Space, Seeds> slice_;
+  GroupFilm film_;
+  MutationStatistics statistics_;
+  std::uint64_t steps_ = 0;
+};
+
+}  // namespace wander

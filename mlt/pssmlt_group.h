@@ -1,0 +1,91 @@
+// A group of chains of PSSMLT [Kelemen et al. 2002]: the state is a whole bidirectional sample, the
+// seeds are samples of the slice in proportion to C*, and b_g is the mean of C* over the slice.
+#pragma once
+
+#include "mlt/group.h"
+#include "mlt/primary_estimator.h"
+#include "mlt/sample_splats.h"
+
+namespace wander {
+
+template <class Space, class SmallStep, class Estimator>
+class PssmltGroup : public SeededGroup<Space, SampleSeeds> {
+ public:
+  using W = typename Space::Universe;
+  using Kernel = PrimaryKernel<SmallStep>;
+
+  PssmltGroup(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains)
+      : SeededGroup<Space, SampleSeeds>(space, seed, group, chains, move_names()),
+        kernel_(kernel),
+        sampler_(space),
+        seed_(seed),
+        first_chain_(group * chains),
+        chain_count_(chains) {}
+
+  static constexpr std::span<const std::string_view> move_names() { return primary_move_names; }
+  bool takes_steps() const { return slice_.found_light() || !Estimator::needs_seed; }
+  int chains() const { return chain_count_; }
+
+  void start_chains(const SeedTally& others) {
+    constants_ = {this->tally().mean(), others.mean(), kernel_.large_step};
+    if (!takes_steps()) return;
+    for (int k = 0; k < chain_count_; ++k) {
+      chains_.push_back({PrimaryChain<SplatSampler<Space>, SmallStep>(sampler_, kernel_),
+                         Rng(seed_, Purpose::chain, static_cast<std::uint32_t>(first_chain_ + k)),
+                         0});
+      if (slice_.found_light()) start(chains_.back(), slice_.seed(k));
+    }
+  }
+
+  void advance(std::uint64_t steps) {
+    this->share_evenly(steps, chains_.size(), [&](std::uint64_t k) { step(chains_[k]); });
+  }
+
+  void deliver(GroupsFilm& film, MutationStatistics& statistics) const {
+    if (steps_ == 0) return film.add_dark_group();
+    film.add(film_, 1, steps_);
+    statistics.merge(statistics_);
+  }
+
+ private:
+  using Base = SeededGroup<Space, SampleSeeds>;
+  using Base::film_;
+  using Base::slice_;
+  using Base::statistics_;
+  using Base::steps_;
+
+  struct Member {
+    PrimaryChain<SplatSampler<Space>, SmallStep> chain;
+    Rng random;
+    std::uint64_t steps;
+  };
+
+  // The sample of a seed, whose total must come out as it was, bit for bit.
+  void start(Member& member, const Seed& seed) {
+    const PrimaryNumbers numbers = slice_.numbers(seed, sampler_.layout());
+    if (!member.chain.start(sampler_, numbers) || member.chain.current().total != seed.weight)
+      throw SeedReplayError("a seed sample could not be replayed from its random numbers");
+  }
+
+  void step(Member& member) {
+    member.random.start(member.steps++);
+    member.chain.step(sampler_, member.random, [&](const PrimaryStep<SampleSplats>& step) {
+      deposit(step, Estimator::deposit(step, constants_), film_);
+      observe(step);
+    });
+  }
+  void observe(const PrimaryStep<SampleSplats>& step) {
+    const int bin =
+        step.current.total > 0 ? step.current.brightest().bin : MutationStatistics::no_bin;
+    statistics_.observe(step.mutation(), step.reason, step.acceptance, bin);
+  }
+
+  Kernel kernel_;
+  SplatSampler<Space> sampler_;
+  std::uint64_t seed_;
+  int first_chain_, chain_count_;
+  PrimaryConstants constants_{};
+  std::vector<Member> chains_;
+};
+
+}  // namespace wander
