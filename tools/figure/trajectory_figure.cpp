@@ -2,6 +2,7 @@
 
 #include "tools/figure/acceptance_chart.h"
 #include "tools/figure/autocorrelation.h"
+#include "tools/figure/block.h"
 #include "tools/figure/coordinate_trace.h"
 #include "tools/figure/path_density.h"
 #include "tools/figure/path_sequence.h"
@@ -16,44 +17,59 @@ constexpr int most_chains = 12, most_chains_of_many = 4;
 
 double width() { return block_width(style::page_width); }
 
-Block sequence_of(const TrajectoryPage& p, int most) {
-  // A sequence is of one chain.
-  return path_sequence(p.chosen, p.scene, width(), most);
+std::string single(const std::string& title, const char* what, Block block) {
+  return page(title, what, style::page_width, {std::move(block)});
 }
 
-std::string single(const TrajectoryPage& p, const char* what, Block block) {
-  return page(p.title, what, style::page_width, {std::move(block)});
+StepFilter of_first_chain(StepFilter filter) {
+  filter.chains = {filter.chains.empty() ? 0 : filter.chains.front()};
+  return filter;
+}
+
+StepFilter of_any_kind(StepFilter filter) {
+  filter.mutation.reset();
+  filter.path_class.reset();
+  return filter;
 }
 
 }  // namespace
 
-std::string paths_figure(const TrajectoryPage& p) {
-  return single(p, "a sequence of mutated light paths", sequence_of(p, most_steps));
+TrajectoryPage::TrajectoryPage(const Trajectory& trajectory, const description::Scene& scene,
+                               const StepFilter& filter, std::string title)
+    : scene_(&scene),
+      chosen_(trajectory, filter),
+      sequence_(trajectory, of_first_chain(filter)),
+      whole_(trajectory, of_any_kind(filter)),
+      title_(std::move(title)) {}
+
+std::string TrajectoryPage::paths() const {
+  return single(title_, "a sequence of mutated light paths",
+                path_sequence(sequence_, *scene_, width(), most_steps));
 }
 
-std::string trace_figure(const TrajectoryPage& p) {
-  return single(p, "the film coordinate of each chain, step by step",
-                coordinate_trace(p.whole, width(), most_chains));
+std::string TrajectoryPage::trace() const {
+  return single(title_, "the film coordinate of each chain, step by step",
+                coordinate_trace(whole_, width(), most_chains));
 }
 
-std::string acceptance_figure(const TrajectoryPage& p) {
-  return single(p, "acceptance by mutation and reason", acceptance_chart(p.chosen, width()));
+std::string TrajectoryPage::acceptance() const {
+  return single(title_, "acceptance by mutation and reason", acceptance_chart(chosen_, width()));
 }
 
-std::string autocorrelation_figure(const TrajectoryPage& p) {
-  return single(p, "autocorrelation of the chains", autocorrelation_chart(p.whole, width()));
+std::string TrajectoryPage::autocorrelation() const {
+  return single(title_, "autocorrelation of the chains", autocorrelation_chart(whole_, width()));
 }
 
-std::string density_figure(const TrajectoryPage& p) {
-  return single(p, "density of visited paths", density_picture(p.chosen, p.scene, width()));
+std::string TrajectoryPage::density() const {
+  return single(title_, "density of visited paths", density_picture(chosen_, *scene_, width()));
 }
 
-std::string overview(const TrajectoryPage& p) {
-  return page(
-      p.title, "overview of a trajectory", style::page_width,
-      {sequence_of(p, most_steps_of_many), coordinate_trace(p.whole, width(), most_chains_of_many),
-       acceptance_chart(p.chosen, width()), autocorrelation_chart(p.whole, width()),
-       density_picture(p.chosen, p.scene, width())});
+std::string TrajectoryPage::overview() const {
+  return page(title_, "overview of a trajectory", style::page_width,
+              {path_sequence(sequence_, *scene_, width(), most_steps_of_many),
+               coordinate_trace(whole_, width(), most_chains_of_many),
+               acceptance_chart(chosen_, width()), autocorrelation_chart(whole_, width()),
+               density_picture(chosen_, *scene_, width())});
 }
 
 }  // namespace wander::figure

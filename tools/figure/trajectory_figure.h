@@ -8,20 +8,26 @@
 
 namespace wander::figure {
 
-// What every figure takes.  `chosen` are steps of one mutation or class if the filter says so;
-// `whole` are all steps of the same chains and draws, for what needs a series without gaps.
-struct TrajectoryPage {
-  const description::Scene& scene;
-  Steps chosen, whole;
-  std::string title;
-};
+class TrajectoryPage {
+ public:
+  // Trajectory and scene outlive this; what the filter names exists.
+  TrajectoryPage(const Trajectory& trajectory, const description::Scene& scene,
+                 const StepFilter& filter, std::string title);
 
-// SVG documents.
-std::string paths_figure(const TrajectoryPage& page);
-std::string trace_figure(const TrajectoryPage& page);
-std::string acceptance_figure(const TrajectoryPage& page);
-std::string autocorrelation_figure(const TrajectoryPage& page);
-std::string density_figure(const TrajectoryPage& page);
-std::string overview(const TrajectoryPage& page);
+  // SVG documents.
+  std::string paths() const;
+  std::string trace() const;
+  std::string acceptance() const;
+  std::string autocorrelation() const;
+  std::string density() const;
+  std::string overview() const;
+
+ private:
+  const description::Scene* scene_;
+  Steps chosen_;
+  Steps sequence_;  // of the chosen steps those of the first chain
+  Steps whole_;     // all steps of the same chains and draws, for what needs a series without gaps
+  std::string title_;
+};
 
 }  // namespace wander::figure
