@@ -26,7 +26,12 @@ struct ChainSettings {
 // No sample of the seed pass found a path from a light to the sensor.
 class NoLightFound : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit NoLightFound(std::uint64_t samples)
+      : std::runtime_error(
+            "the seed pass tried " + std::to_string(samples) +
+            " bidirectional samples and found no light path from a light to the sensor, so no "
+            "chain can start; look for walls without a gap, a light or sensor that faces away, or "
+            "a max_vertices that is too small") {}
 };
 
 // A group: its slice of the seed pass, its chains, and what they deposit.
@@ -121,7 +126,7 @@ class ChainRenderer {
     seed_pass();
     const double seed_seconds = run_.seconds();
     const SeedTally tally = merged_tally();
-    if (!(tally.total.value() > 0)) throw NoLightFound(no_light(tally.samples));
+    if (!(tally.total.value() > 0)) throw NoLightFound(tally.samples);
     in_parallel([](Group& group) { group.start_chains(); });
     run_chains();
     return rendering(method, tally, seed_seconds);
@@ -233,13 +238,6 @@ class ChainRenderer {
             std::to_string(tally.samples) +
             " samples: a rare event carries the light, so no error bar is trusted; a larger budget "
             "makes a longer seed pass"};
-  }
-
-  static std::string no_light(std::uint64_t samples) {
-    return "the seed pass tried " + std::to_string(samples) +
-           " bidirectional samples and found no light path from a light to the sensor, so no chain "
-           "can start; look for walls without a gap, a light or sensor that faces away, or a "
-           "max_vertices that is too small";
   }
 
   const Space& space_;

@@ -128,6 +128,25 @@ int parse_max_vertices(std::string_view text) {
   return number_between("--max-vertices", text, 2, 100000);
 }
 
+std::uint64_t parse_count(std::string_view what, std::string_view text, std::uint64_t low,
+                          std::uint64_t high) {
+  return number_between(what, text, low, high);
+}
+
+std::pair<std::uint64_t, std::uint64_t> parse_pair(std::string_view what, std::string_view text) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 53;
+  const std::size_t colon = text.find(':');
+  const auto first = number_in<std::uint64_t>(text.substr(0, colon));
+  const auto second = colon == std::string_view::npos
+                          ? std::nullopt
+                          : number_in<std::uint64_t>(text.substr(colon + 1));
+  if (!first || !second || *first > most || *second > most)
+    throw UsageError(
+        fmt::format("{} '{}': allowed are two whole numbers with a colon, such as 0:1000", what,
+                    text));
+  return {*first, *second};
+}
+
 ProgressMode parse_progress(std::string_view text) {
   constexpr std::array<std::string_view, 4> words{"auto", "bar", "json", "none"};
   constexpr std::array modes{ProgressMode::automatic, ProgressMode::bar, ProgressMode::json,
