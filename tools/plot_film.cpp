@@ -63,8 +63,9 @@ std::optional<Film> find_film(const std::string& path) {
                      ": plot draws films of two-dimensional scenes; this one is an image, "
                      "and film.exr holds it");
   if (run->rendering.film.shape.size() > 1)
-    throw UsageError(path + ": this is a picture, such as --fluence computes, and no film; "
-                            "viewers of OpenEXR show it");
+    throw UsageError(path +
+                     ": this is a picture, such as --fluence computes, and no film; "
+                     "viewers of OpenEXR show it");
   if (run->rendering.film.value.empty())
     throw RunFileError(path + ": the run holds no film values");
   Film film{path, std::move(*run), std::nullopt};

@@ -20,8 +20,9 @@ void require_drawable(const TrajectoryRecord& record, const PlotOptions& options
   if (!options.reference.empty())
     throw UsageError("--reference is drawn into films, and " + file + " is a trajectory");
   if (record.trajectory.dimension != 2)
-    throw UsageError(file + ": plot draws trajectories in two-dimensional scenes; FILE.csv of "
-                            "`wander trace` has the numbers of others");
+    throw UsageError(file +
+                     ": plot draws trajectories in two-dimensional scenes; FILE.csv of "
+                     "`wander trace` has the numbers of others");
 }
 
 std::string_view kind_of(std::string_view option) { return option.substr(2); }
@@ -80,8 +81,7 @@ std::string trajectory_svg(const TrajectoryRecord& record, const PlotOptions& op
   require_drawable(record, options);
   const description::Scene scene =
       parse_scene(record.provenance.scene_text, options.files.front()).scene;
-  const figure::TrajectoryPage page(record.trajectory, scene,
-                                    filter_of(record.trajectory, options),
+  const figure::TrajectoryPage page(record.trajectory, scene, filter_of(record.trajectory, options),
                                     options.title.value_or(record.provenance.scene_name));
   return drawn(page, options.trajectory.figure.value_or(TrajectoryFigure::all));
 }

@@ -65,11 +65,11 @@ std::string TrajectoryPage::density() const {
 }
 
 std::string TrajectoryPage::overview() const {
-  return page(title_, "overview of a trajectory", style::page_width,
-              {path_sequence(sequence_, *scene_, width(), most_steps_of_many),
-               coordinate_trace(whole_, width(), most_chains_of_many),
-               acceptance_chart(chosen_, width()), autocorrelation_chart(whole_, width()),
-               density_picture(chosen_, *scene_, width())});
+  return page(
+      title_, "overview of a trajectory", style::page_width,
+      {path_sequence(sequence_, *scene_, width(), most_steps_of_many),
+       coordinate_trace(whole_, width(), most_chains_of_many), acceptance_chart(chosen_, width()),
+       autocorrelation_chart(whole_, width()), density_picture(chosen_, *scene_, width())});
 }
 
 }  // namespace wander::figure
