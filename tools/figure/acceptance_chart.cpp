@@ -14,7 +14,7 @@ namespace wander::figure {
 namespace {
 
 constexpr double bar_height = 15, bar_gap = 17, legend_gap = 2, label_gap = 6;
-constexpr std::string_view accepted_word = "accepted";
+constexpr std::string_view accepted_word = "accepted", refused_word = "metropolis";
 
 struct Bar {
   std::string mutation;
@@ -38,25 +38,33 @@ std::vector<Bar> bars_of(const Steps& steps) {
   return bars;
 }
 
+struct Outcome {
+  std::string word;
+  std::size_t hatch;  // that of its reason, the same in every figure
+};
+
 // Accepted first, then the reasons in the order of the trajectory, as far as they occur.
-std::vector<std::string> outcomes_of(const Steps& steps, const std::vector<Bar>& bars) {
-  std::vector<std::string> words{std::string(accepted_word)};
-  words.insert(words.end(), steps.trajectory().reasons.begin(), steps.trajectory().reasons.end());
-  std::erase_if(words, [&](const std::string& word) {
-    return std::ranges::none_of(bars, [&](const Bar& bar) { return bar.outcomes.contains(word); });
+std::vector<Outcome> outcomes_of(const Steps& steps, const std::vector<Bar>& bars) {
+  std::vector<Outcome> outcomes{{std::string(accepted_word), 0}};
+  std::size_t failures = 0;
+  for (const std::string& reason : steps.trajectory().reasons)
+    if (reason != "none") outcomes.push_back({reason, reason == refused_word ? 0 : ++failures});
+  std::erase_if(outcomes, [&](const Outcome& outcome) {
+    return std::ranges::none_of(
+        bars, [&](const Bar& bar) { return bar.outcomes.contains(outcome.word); });
   });
-  return words;
+  return outcomes;
 }
 
 std::string spoken(std::string text) {
   std::ranges::replace(text, '_', ' ');
-  return text == "metropolis" ? "refused by the acceptance test" : text;
+  return text == refused_word ? "refused by the acceptance test" : text;
 }
 
 // Accepted and refused have the colours of proposals everywhere; failures are told by hatches.
-std::string paint_of(Svg& svg, const std::string& word, std::size_t index) {
-  if (word == accepted_word) return std::string(style::accepted.colour);
-  return define_hatch(svg, word == "metropolis" ? 0 : index);
+std::string paint_of(Svg& svg, const Outcome& outcome) {
+  if (outcome.word == accepted_word) return std::string(style::accepted.colour);
+  return define_hatch(svg, outcome.hatch);
 }
 
 void draw_share(Svg& svg, Vector at, double width, const std::string& paint) {
@@ -84,47 +92,47 @@ void draw_percentage(Svg& svg, Vector middle, double room, double share) {
            {.size = style::small_size, .anchor = "middle"});
 }
 
-void draw_bar(Svg& svg, const Bar& bar, const std::vector<std::string>& words, Vector at,
+void draw_bar(Svg& svg, const Bar& bar, const std::vector<Outcome>& outcomes, Vector at,
               double width) {
   const auto scope = svg.group("bar");
-  for (std::size_t k = 0; k < words.size(); ++k) {
-    const auto found = bar.outcomes.find(words[k]);
+  for (const Outcome& outcome : outcomes) {
+    const auto found = bar.outcomes.find(outcome.word);
     if (found == bar.outcomes.end()) continue;
     const double share = found->second / bar.steps, wide = share * width;
-    draw_share(svg, at, wide, paint_of(svg, words[k], k));
+    draw_share(svg, at, wide, paint_of(svg, outcome));
     draw_percentage(svg, at + Vector{wide / 2, bar_height / 2}, wide, share);
     at.x += wide;
   }
 }
 
 std::vector<LegendEntry> legend_of(const std::vector<Bar>& bars,
-                                   const std::vector<std::string>& words) {
+                                   const std::vector<Outcome>& outcomes) {
   double steps = 0;
   for (const Bar& bar : bars) steps += bar.steps;
   std::vector<LegendEntry> entries;
-  for (std::size_t k = 0; k < words.size(); ++k) {
+  for (const Outcome& outcome : outcomes) {
     double count = 0;
     for (const Bar& bar : bars)
-      if (const auto found = bar.outcomes.find(words[k]); found != bar.outcomes.end())
+      if (const auto found = bar.outcomes.find(outcome.word); found != bar.outcomes.end())
         count += found->second;
-    entries.push_back({[word = words[k], k](Svg& svg, Vector left) {
+    entries.push_back({[outcome](Svg& svg, Vector left) {
                          svg.element("rect", {{"x", left.x},
                                               {"y", left.y - 4},
                                               {"width", swatch_width},
                                               {"height", 8},
-                                              {"fill", paint_of(svg, word, k)},
+                                              {"fill", paint_of(svg, outcome)},
                                               {"stroke", style::ink},
                                               {"stroke-width", 0.4}});
                        },
-                       fmt::format("{}: {} of all", spoken(words[k]), percent(count / steps))});
+                       fmt::format("{}: {} of all", spoken(outcome.word), percent(count / steps))});
   }
   return entries;
 }
 
 // Above its bar, so that no name is too long.
 void draw_label(Svg& svg, const Bar& bar, Vector at, double width) {
-  const std::string numbers =
-      fmt::format("{} steps, mean a {:.2g}", count_in_words(bar.steps), bar.acceptance / bar.steps);
+  const std::string numbers = fmt::format("{} step{}, mean a {:.2g}", count_in_words(bar.steps),
+                                          bar.steps == 1 ? "" : "s", bar.acceptance / bar.steps);
   const double room = width - text_width(numbers, style::small_size) - label_gap;
   const Vector baseline = at - Vector{0, 3};
   svg.text(baseline, shortened(spoken(bar.mutation), style::bold_width * style::small_size, room),
@@ -136,8 +144,8 @@ void draw_label(Svg& svg, const Bar& bar, Vector at, double width) {
 
 Block acceptance_chart(const Steps& steps, double width) {
   const std::vector<Bar> bars = bars_of(steps);
-  const std::vector<std::string> words = outcomes_of(steps, bars);
-  const std::vector<LegendEntry> entries = legend_of(bars, words);
+  const std::vector<Outcome> outcomes = outcomes_of(steps, bars);
+  const std::vector<LegendEntry> entries = legend_of(bars, outcomes);
   const double rows = static_cast<double>(bars.size()) * (bar_height + bar_gap);
   return {fmt::format("What became of the proposals, {}{}", in_words(steps),
                       bars.empty() ? ": no step was chosen" : ""),
@@ -147,7 +155,7 @@ Block acceptance_chart(const Steps& steps, double width) {
             for (const Bar& bar : bars) {
               at.y += bar_gap - 4;
               draw_label(svg, bar, at, width);
-              draw_bar(svg, bar, words, at, width);
+              draw_bar(svg, bar, outcomes, at, width);
               at.y += bar_height + 4;
             }
             draw_legend(svg, entries, at + Vector{0, legend_gap}, width);

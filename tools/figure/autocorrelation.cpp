@@ -14,7 +14,9 @@
 namespace wander::figure {
 namespace {
 
-constexpr double panel_height = 92, panel_gap = 14, header = 12;
+constexpr double panel_height = 92, panel_gap = 16, header = 12;
+// For half of the last label of an axis.
+constexpr double right_room = 8;
 constexpr int most_lags = 200;
 constexpr double thin = 0.35, thick = 1.3;
 
@@ -141,7 +143,8 @@ Block autocorrelation_chart(const Steps& steps, double width) {
       header + panel_height + bottom_axis_height, [=](Svg& svg, Vector top_left) {
         const auto count = static_cast<double>(all.size());
         const double left = top_left.x + left_axis_gap + 16;
-        const double across = (top_left.x + width - left - (count - 1) * panel_gap) / count;
+        const double across =
+            (top_left.x + width - right_room - left - (count - 1) * panel_gap) / count;
         const double top = top_left.y + header, bottom = top + panel_height;
         const Axis y = make_axis({"autocorrelation", ""}, values, {bottom, top}, 6);
         draw_left_axis(svg, y, left - 3);

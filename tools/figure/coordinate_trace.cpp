@@ -11,11 +11,13 @@
 namespace wander::figure {
 namespace {
 
-constexpr double panel_height = 44, rug_height = 7, rug_gap = 2, panel_gap = 7;
+constexpr double panel_height = 44, rug_height = 7, rug_gap = 2, panel_gap = 13;
 constexpr double row_height = panel_height + rug_gap + rug_height + panel_gap;
 // Beyond this many steps several share a column.
 constexpr int most_columns = 900;
 constexpr double points_per_tick = 60;
+// For half of the last label of the axis.
+constexpr double right_room = 12;
 
 // The steps of one column of one chain.
 struct Column {
@@ -120,7 +122,7 @@ Block coordinate_trace(const Steps& steps, double width, int most_chains) {
   return {
       heading_of(steps, chains.size()), rows + bottom_axis_height, [=](Svg& svg, Vector top_left) {
         const double left = top_left.x + left_axis_gap + 16;
-        const Range page{left, top_left.x + width};
+        const Range page{left, top_left.x + width - right_room};
         double top = top_left.y + panel_gap;
         const LinearScale draws{{static_cast<double>(steps.first()),
                                  static_cast<double>(steps.first() + std::max(1, steps.draws()))},

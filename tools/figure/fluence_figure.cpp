@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "tools/figure/marks.h"
 #include "tools/figure/plane_picture.h"
 #include "tools/figure/scene_legend.h"
 #include "tools/wording.h"
@@ -15,6 +16,7 @@ Block legend_block(const description::Scene& scene, double width) {
   const std::vector<LegendEntry> entries = legend_of(scene);
   const double indent = 8;
   return {"", legend_height(entries, width - indent), [=](Svg& svg, Vector top_left) {
+            define_patterns(svg);
             draw_legend(svg, entries, top_left + Vector{indent, 0}, width - indent);
           }};
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr int most_columns = 4;
 constexpr double gap = 10, padding = 7, caption_height = 31, line_height = 9.2;
 constexpr double legend_gap = 3, most_aspect = 1.3, caption_size = style::small_size;
-constexpr double current_width = 0.7, proposal_width = 1.7, dot_radius = 1.1;
+constexpr double current_width = 0.7, proposal_width = 2, dot_radius = 1.1;
 
 struct Frame {
   std::vector<Vector> current, proposed;  // in the scene; empty: none
@@ -46,7 +46,7 @@ std::string outcome_of(const Steps& steps, const Step& step) {
 std::string classes_of(const Steps& steps, const Step& step) {
   const Trajectory& t = steps.trajectory();
   const auto before = steps.before(step);
-  const std::string from(before ? steps.path_class(t.state, *before) : "?");
+  const std::string from(before ? steps.path_class(t.state, *before) : "not recorded");
   if (t.proposed.vertices[step.index] == 0) return from;
   const std::string to(steps.path_class(t.proposed, step.index));
   return from == to ? from : from + " → " + to;
@@ -58,7 +58,7 @@ Frame frame_of(const Steps& steps, const Step& step) {
   return {before ? steps.path(t.state, *before) : std::vector<Vector>{},
           steps.path(t.proposed, step.index),
           steps.accepted(step),
-          fmt::format("{}  {}", steps.number(step.draw), spoken(steps.mutation(step))),
+          fmt::format("step {}: {}", steps.number(step.draw), spoken(steps.mutation(step))),
           outcome_of(steps, step),
           classes_of(steps, step)};
 }

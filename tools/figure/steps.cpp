@@ -68,11 +68,16 @@ std::string_view Steps::path_class(const RecordedPaths& paths, std::size_t index
 }
 
 std::string in_words(const Steps& steps) {
+  const Trajectory& t = steps.trajectory();
+  const StepFilter& filter = steps.filter();
   const auto chains = steps.chains();
   std::string text = chains.size() == 1 ? fmt::format("chain {}", chains.front())
                                         : fmt::format("{} chains", chains.size());
   if (steps.draws() == 0) return text + ", no draws";
-  return text + fmt::format(", draws {} to {}", steps.first(), steps.first() + steps.draws() - 1);
+  text += fmt::format(", draws {} to {}", steps.first(), steps.first() + steps.draws() - 1);
+  if (filter.mutation) text += fmt::format(", mutation {}", word(t.mutations, *filter.mutation));
+  if (filter.path_class) text += fmt::format(", class {}", word(t.classes, *filter.path_class));
+  return text;
 }
 
 }  // namespace wander::figure

@@ -34,6 +34,7 @@ class Steps {
   Steps(const Trajectory& trajectory, const StepFilter& filter);
 
   const Trajectory& trajectory() const { return *trajectory_; }
+  const StepFilter& filter() const { return filter_; }
   std::span<const int> chains() const { return chains_; }
   int first() const { return first_; }
   int draws() const { return end_ - first_; }
@@ -73,7 +74,7 @@ class Steps {
   int first_, end_;
 };
 
-// What was chosen, for captions: "chain 0, draws 0 to 99, mutation lens".
+// What was chosen, for headings: "chain 0, draws 0 to 99, mutation lens".
 std::string in_words(const Steps& steps);
 
 }  // namespace wander::figure

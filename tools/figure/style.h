@@ -26,7 +26,7 @@ struct Stroke {
 };
 inline constexpr Stroke neutral{"#808080", "none"};
 // Proposals, told apart by their dashes first.
-inline constexpr Stroke accepted{"#3f6f9f", "none"};
+inline constexpr Stroke accepted{"#4d88c4", "none"};
 inline constexpr Stroke rejected{"#e07b00", "3.2 1.8"};
 inline constexpr std::array<Stroke, 7> films{{{"#0072b2", "none"},
                                               {"#d55e00", "4 1.6"},
