@@ -86,7 +86,9 @@ Replay replay(const Space& space, const Kernel& kernel, const Session& session, 
     run.report(
         {static_cast<double>(i) / static_cast<double>(step_index), i, run.seconds(), "sampling"});
   }
-  Replay replay{.chain = chain_index, .step = step_index};
+  Replay replay;
+  replay.chain = chain_index;
+  replay.step = step_index;
   random.start(step_index);
   chain.step(random, [&](const Step<W>& step) {
     const auto m = static_cast<std::size_t>(step.mutation);

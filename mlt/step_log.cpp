@@ -6,11 +6,11 @@ namespace wander {
 
 namespace {
 
-// Grows by half at least, so that many calls copy little.
+// Doubles at least, so that many calls copy little.
 template <class T>
 void make_room(std::vector<T>& column, std::size_t more) {
   const std::size_t needed = column.size() + more;
-  if (column.capacity() < needed) column.reserve(std::max(needed, column.size() * 3 / 2));
+  if (column.capacity() < needed) column.reserve(std::max(needed, 2 * column.size()));
 }
 
 }  // namespace

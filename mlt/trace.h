@@ -89,7 +89,7 @@ class Tracer {
       if (window.holds(i))
         chain.step(random, [&](const Step<W>& step) { log.add(space_, step); });
       else
-        chain.step(random, [](const Step<W>&) {});
+        chain.step(random, [&](const Step<W>& step) { log.skip(step); });
     }
   }
 

@@ -25,52 +25,58 @@ class ClassTable {
   std::string word_;
 };
 
-// Fills the columns draw by draw, reading each log from its beginning.
+// Fills the columns draw by draw.
 class Columns {
  public:
   explicit Columns(Trajectory& trajectory) : t_(trajectory), classes_(trajectory.classes) {}
 
   void add(const StepLog& log, int draws) {
-    std::size_t vertex = 0;  // of the log, that comes next
-    for (int d = 0; d < draws; ++d) {
-      const LoggedStep& step = log.steps()[static_cast<std::size_t>(d)];
+    LoggedPath last;  // state, of class `last_id`
+    std::int32_t last_id = no_class;
+    for (const LoggedStep& step : std::span(log.steps()).first(static_cast<std::size_t>(draws))) {
       add_scalars(step);
-      const std::size_t proposed = vertex;
-      vertex += static_cast<std::size_t>(step.proposed_vertices);
-      const std::size_t state = step.accepted() ? proposed : vertex;
-      if (!step.accepted()) vertex += static_cast<std::size_t>(step.state_vertices);
-      add_path(t_.proposed, log, proposed, step.proposed_vertices, step.proposed_film);
-      add_path(t_.state, log, state, step.state_vertices, step.state_film);
+      const bool moved = step.state.first != last.first || last_id == no_class;
+      if (moved) last_id = class_of(log, step.state);
+      last = step.state;
+      add_path(t_.state, log, step.state, last_id);
+      add_path(t_.proposed, log, step.proposed,
+               step.accepted() ? last_id : class_of(log, step.proposed));
     }
   }
 
  private:
+  static constexpr std::int32_t no_class = -1;
+
+  std::int32_t class_of(const StepLog& log, const LoggedPath& path) {
+    if (path.vertices == 0) return no_class;
+    return classes_.id(
+        std::span(log.events()).subspan(path.first, static_cast<std::size_t>(path.vertices)));
+  }
+
   void add_scalars(const LoggedStep& step) {
     t_.mutation.push_back(step.mutation);
     t_.reason.push_back(step.reason);
     t_.accepted.push_back(step.accepted() ? 1 : 0);
     t_.acceptance.push_back(step.acceptance);
-    t_.log_f.push_back(step.log_f);
+    t_.log_f.push_back(step.state.log_f);
     t_.log_f_current.push_back(step.log_f_current);
-    t_.log_f_proposed.push_back(step.log_f_proposed);
+    t_.log_f_proposed.push_back(step.proposed.log_f);
     t_.log_forward.push_back(step.log_forward);
     t_.log_reverse.push_back(step.log_reverse);
   }
 
-  void add_path(RecordedPaths& paths, const StepLog& log, std::size_t first, int count,
-                const std::array<double, 2>& film) {
-    const auto vertices = static_cast<std::size_t>(count);
+  void add_path(RecordedPaths& paths, const StepLog& log, const LoggedPath& path,
+                std::int32_t path_class) {
     const auto axes = static_cast<std::size_t>(t_.dimension);
-    const auto begin = log.positions().begin() + static_cast<std::ptrdiff_t>(first * axes);
-    paths.position.insert(paths.position.end(), begin,
-                          begin + static_cast<std::ptrdiff_t>(vertices * axes));
-    paths.position.resize(
-        paths.position.size() + (static_cast<std::size_t>(t_.max_vertices) - vertices) * axes,
-        LoggedStep::none);
-    paths.film.insert(paths.film.end(), film.begin(), film.begin() + t_.dimension - 1);
-    paths.vertices.push_back(count);
-    paths.path_class.push_back(
-        count == 0 ? -1 : classes_.id(std::span(log.events()).subspan(first, vertices)));
+    const auto vertices = static_cast<std::size_t>(path.vertices);
+    const auto positions = std::span(log.positions()).subspan(path.first * axes, vertices * axes);
+    paths.position.insert(paths.position.end(), positions.begin(), positions.end());
+    paths.position.insert(paths.position.end(),
+                          (static_cast<std::size_t>(t_.max_vertices) - vertices) * axes,
+                          LoggedPath::no_number);
+    paths.film.insert(paths.film.end(), path.film.begin(), path.film.begin() + t_.dimension - 1);
+    paths.vertices.push_back(path.vertices);
+    paths.path_class.push_back(path_class);
   }
 
   Trajectory& t_;
@@ -81,7 +87,7 @@ int longest_path(const StepLog& log, int draws) {
   int longest = 0;
   for (int d = 0; d < draws; ++d) {
     const LoggedStep& step = log.steps()[static_cast<std::size_t>(d)];
-    longest = std::max({longest, step.state_vertices, step.proposed_vertices});
+    longest = std::max({longest, step.state.vertices, step.proposed.vertices});
   }
   return longest;
 }

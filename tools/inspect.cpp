@@ -74,9 +74,11 @@ ExitCode inspect(const InspectOptions& options, const Global& global) {
 
 void add_inspect(CLI::App& app, Global& global) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* verb = app.add_subcommand("inspect", "say what a scene requires, or what a run or trajectory holds");
-  verb->add_option("FILE", options->file,
-                   "a scene file, gallery:NAME, a run.json, its directory, a film.exr, or a trajectory")
+  CLI::App* verb =
+      app.add_subcommand("inspect", "say what a scene requires, or what a run or trajectory holds");
+  verb->add_option(
+          "FILE", options->file,
+          "a scene file, gallery:NAME, a run.json, its directory, a film.exr, or a trajectory")
       ->type_name("")
       ->required();
   verb->add_option("--reference", options->reference, "hold the run against this one")

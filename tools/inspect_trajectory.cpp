@@ -102,10 +102,10 @@ ordered_json inspect_trajectory(const TrajectoryRecord& record) {
 std::string text_of_trajectory(const TrajectoryRecord& record) {
   const Trajectory& t = record.trajectory;
   constexpr std::size_t most_words = 6;
-  std::string text = fmt::format(
-      "{}: {} chain{} of {} draws, from step {}, every {}; seed {}{}\n", record.method, t.chains,
-      t.chains == 1 ? "" : "s", t.draws, t.first_step, t.every, record.seed,
-      record.complete ? "" : "; INCOMPLETE, it was interrupted");
+  std::string text =
+      fmt::format("{}: {} chain{} of {} draws, from step {}, every {}; seed {}{}\n", record.method,
+                  t.chains, t.chains == 1 ? "" : "s", t.draws, t.first_step, t.every, record.seed,
+                  record.complete ? "" : "; INCOMPLETE, it was interrupted");
   text += fmt::format("  normalization   {}\n", with_error(record.normalization));
   text += mutation_lines(mutations_of(t));
   text += fmt::format("  reasons         {}\n",

@@ -1,5 +1,5 @@
-// What `wander inspect` has to say about a scene, a run or a trajectory: a JSON document for programs, the same
-// in a dozen lines for people.
+// What `wander inspect` has to say about a scene, a run or a trajectory: a JSON document for
+// programs, the same in a dozen lines for people.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -135,16 +135,11 @@ std::uint64_t parse_count(std::string_view what, std::string_view text, std::uin
 
 std::pair<std::uint64_t, std::uint64_t> parse_pair(std::string_view what, std::string_view text) {
   constexpr std::uint64_t most = std::uint64_t{1} << 53;
-  const std::size_t colon = text.find(':');
-  const auto first = number_in<std::uint64_t>(text.substr(0, colon));
-  const auto second = colon == std::string_view::npos
-                          ? std::nullopt
-                          : number_in<std::uint64_t>(text.substr(colon + 1));
-  if (!first || !second || *first > most || *second > most)
+  const std::vector<std::string_view> parts = split(text, ':');
+  if (parts.size() != 2)
     throw UsageError(
-        fmt::format("{} '{}': allowed are two whole numbers with a colon, such as 0:1000", what,
-                    text));
-  return {*first, *second};
+        fmt::format("{} '{}': allowed are two whole numbers with a colon between", what, text));
+  return {parse_count(what, parts[0], 0, most), parse_count(what, parts[1], 0, most)};
 }
 
 ProgressMode parse_progress(std::string_view text) {

@@ -29,7 +29,7 @@ int parse_max_vertices(std::string_view text);
 // A whole number from `low` to `high`; `what` names it in the message.
 std::uint64_t parse_count(std::string_view what, std::string_view text, std::uint64_t low,
                           std::uint64_t high);
-// `A:B`, two whole numbers up to 2^53.
+// `A:B`, two whole numbers from 0 to 2^53.
 std::pair<std::uint64_t, std::uint64_t> parse_pair(std::string_view what, std::string_view text);
 ProgressMode parse_progress(std::string_view text);
 

@@ -77,7 +77,9 @@ void add_ratio(std::string& text, const Replay& replay) {
 ordered_json json_of(double x) {
   return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
 }
-ordered_json json_of(Scaled x) { return {{"value", json_of(x.value())}, {"log", json_of(x.log())}}; }
+ordered_json json_of(Scaled x) {
+  return {{"value", json_of(x.value())}, {"log", json_of(x.log())}};
+}
 
 ordered_json json_of(const ReplayedPath& path) {
   ordered_json vertices = ordered_json::array();
@@ -98,10 +100,10 @@ ordered_json json_of(const ReplayedPath& path) {
 }  // namespace
 
 std::string text_of_replay(const Replay& replay) {
-  std::string text =
-      fmt::format("chain {}, step {}: {}, {}\n", replay.chain, replay.step, replay.mutation,
-                  replay.reason == Reason::none ? "accepted"
-                                                : fmt::format("refused: {}", name_of(replay.reason)));
+  std::string text = fmt::format(
+      "chain {}, step {}: {}, {}\n", replay.chain, replay.step, replay.mutation,
+      replay.reason == Reason::none ? "accepted"
+                                    : fmt::format("refused: {}", name_of(replay.reason)));
   add_path(text, "x", replay.x);
   if (!replay.proposal) return text + "\nno path was proposed, so the state stays as it is\n";
   add_path(text, "y", replay.proposal->y);

@@ -13,8 +13,7 @@
 namespace wander {
 
 // As many chains can be told apart, and traced, as render() runs.
-inline constexpr int most_traced_chains =
-    ChainSettings{}.groups * ChainSettings{}.chains_per_group;
+inline constexpr int most_traced_chains = ChainSettings{}.groups * ChainSettings{}.chains_per_group;
 
 std::span<const std::string_view> traced_methods();
 
