@@ -1,6 +1,7 @@
 #include "core/fluence.h"
 
 #include <array>
+#include <cmath>
 
 #include "core/build_scene.h"
 #include "core/sample_film.h"

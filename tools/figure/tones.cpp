@@ -79,7 +79,7 @@ void draw_background(Svg& svg, Vector low, Vector high, std::string_view fill) {
 int ToneScale::tone(double value) const {
   if (!(value > domain.low)) return 0;
   const double place = std::log(value / domain.low) / std::log(domain.high / domain.low);
-  return std::min(static_cast<int>(place * tone_count), tone_count - 1);
+  return static_cast<int>(std::min(place * tone_count, tone_count - 1.0));
 }
 
 ToneScale tone_scale(std::span<const double> values) {
