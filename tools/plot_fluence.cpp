@@ -91,10 +91,10 @@ ExitCode plot_fluence(const PlotOptions& options, const Global& global) {
   if (!global.quiet)
     print_note(
         fmt::format("fluence: {} walks of light, {} x {} cells from ({:.6g}, {:.6g}) to "
-                    "({:.6g}, {:.6g}) m, {}\n",
+                    "({:.6g}, {:.6g}) m, {}{}\n",
                     count_in_words(static_cast<double>(picture.samples)), grid.columns(),
                     grid.rows(), grid.low().x, grid.low().y, grid.high().x, grid.high().y,
-                    duration_in_words(picture.seconds)));
+                    duration_in_words(picture.seconds), picture.complete ? "" : ", interrupted"));
   if (global.json)
     print_json({{"schema", "wanderlight-plot/1"},
                 {"kind", "fluence"},
