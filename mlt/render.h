@@ -25,7 +25,12 @@ struct ChainSettings {
 // No sample of the seed pass found a path from a light to the sensor.
 class NoLightFound : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit NoLightFound(std::uint64_t samples)
+      : std::runtime_error(
+            "the seed pass tried " + std::to_string(samples) +
+            " bidirectional samples and found no light path from a light to the sensor, so no "
+            "chain can start; look for walls without a gap, a light or sensor that faces away, or "
+            "a max_vertices that is too small") {}
 };
 
 // `Chains` is a Group, made of a space and the kernel of its chains.
@@ -45,7 +50,7 @@ class ChainRenderer {
     seed_pass();
     const double seed_seconds = run_.seconds();
     const SeedTally tally = merged_tally();
-    if (!(tally.total.value() > 0)) throw NoLightFound(no_light(tally.samples));
+    if (!(tally.total.value() > 0)) throw NoLightFound(tally.samples);
     start_chains();
     run_chains();
     return rendering(method, tally, seed_seconds);
@@ -167,13 +172,6 @@ class ChainRenderer {
             std::to_string(tally.samples) +
             " samples: a rare event carries the light, so no error bar is trusted; a larger budget "
             "makes a longer seed pass"};
-  }
-
-  static std::string no_light(std::uint64_t samples) {
-    return "the seed pass tried " + std::to_string(samples) +
-           " bidirectional samples and found no light path from a light to the sensor, so no chain "
-           "can start; look for walls without a gap, a light or sensor that faces away, or a "
-           "max_vertices that is too small";
   }
 
   const Space& space_;

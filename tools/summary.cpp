@@ -64,6 +64,8 @@ std::string refusals(const MutationRecord& mutation) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+}  // namespace
+
 std::string mutation_lines(const std::vector<MutationRecord>& mutations) {
   std::string text =
       fmt::format("  {:<15} {:>10} {:>11}  refused for\n", "mutation", "proposed", "acceptance");
@@ -73,8 +75,6 @@ std::string mutation_lines(const std::vector<MutationRecord>& mutations) {
                         percent(mutation.mean_acceptance), refusals(mutation));
   return text;
 }
-
-}  // namespace
 
 std::string summary_of(const Rendering& rendering) {
   std::string text = work_line(rendering) + film_lines(rendering.film);

@@ -27,9 +27,9 @@ TEST_F(CommandLine, HelpNamesEveryVerbThatExistsAndNoOther) {
   const Outcome help = wander("--help");
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* word : {"render", "inspect", "gallery", "plot", "Exit codes", "130"})
+  for (const char* word : {"render", "trace", "inspect", "gallery", "plot", "Exit codes", "130"})
     EXPECT_HAS(help.out, word);
-  for (const char* word : {"trace", "compare", "check"}) EXPECT_LACKS(help.out, word);
+  for (const char* word : {"compare", "check"}) EXPECT_LACKS(help.out, word);
 }
 
 TEST_F(CommandLine, WithoutAVerbTheProgramExplainsItself) {
@@ -39,7 +39,7 @@ TEST_F(CommandLine, WithoutAVerbTheProgramExplainsItself) {
 }
 
 TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
-  for (const std::string verb : {"render", "inspect", "gallery", "plot"}) {
+  for (const std::string verb : {"render", "trace", "inspect", "gallery", "plot"}) {
     const Outcome help = wander(verb + " --help");
     EXPECT_EQ(help.exit_code, 0) << verb;
     EXPECT_HAS(help.out, "wander " + verb);
