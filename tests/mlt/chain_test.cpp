@@ -193,9 +193,8 @@ INSTANTIATE_TEST_SUITE_P(Rooms, FamilySteps,
 
 TEST(AllocationCounter, CountsWhatIsAllocated) {
   const AllocationCounter allocations;
-  delete new int(1);
   std::vector<double>(100).swap(*std::make_unique<std::vector<double>>());
-  EXPECT_GE(allocations.count(), 2);
+  EXPECT_GE(allocations.count(), 1);
 }
 
 }  // namespace
