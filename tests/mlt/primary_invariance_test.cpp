@@ -151,7 +151,7 @@ TEST_P(PrimaryInvariance, OfWholeSamples) {
                                                    {.samples = 8'000, .large_step = large});
     EXPECT_TRUE(passes(report.one_step));
     EXPECT_TRUE(passes(report.many_steps));
-    EXPECT_GE(report.many_steps.comparisons, std::size_t{20});
+    EXPECT_GE(report.many_steps.comparisons, std::size_t{15});
   }
 }
 
@@ -175,8 +175,16 @@ TEST(PrimaryTwin, AChainThatDoesNotRestoreARejectedStateIsCaught) {
   const Options options{.samples = 10'000, .large_step = 0.1};
   EXPECT_TRUE(
       rejects(invariance<ForgetfulChain>(space, SplatSampler<Flat>(space), options).many_steps));
-  EXPECT_TRUE(rejects(
-      invariance<ForgetfulChain>(space, MultiplexedSampler<Flat>(space, 3), options).many_steps));
+}
+
+// Where C* varies most the flaw shows best: it is that of a chain whose state is one path, too.
+TEST(PrimaryTwin, AChainOfPathsThatDoesNotRestoreARejectedStateIsCaught) {
+  const FlatScene scene = build(short_paths(rough_room()));
+  const Flat space(*scene, Roulette::off);
+  const Options options{.samples = 40'000};
+  const MultiplexedSampler<Flat> sampler(space, 4);
+  EXPECT_TRUE(passes(invariance<PrimaryChain>(space, sampler, options).many_steps));
+  EXPECT_TRUE(rejects(invariance<ForgetfulChain>(space, sampler, options).many_steps));
 }
 
 }  // namespace
