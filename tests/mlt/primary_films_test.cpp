@@ -78,9 +78,9 @@ TEST_P(PrimaryFilms, AreThoseOfIndependentSamples) {
     Rendering samples;
     for (const Estimator& estimator : estimators())
       if (std::string_view(estimator.name) == "bdpt")
-        samples = estimate(*scene, estimator, budget_of(200'000, 2));
+        samples = estimate(*scene, estimator, budget_of(60'000, 2));
     const Decision agree =
-        films_agree(render(*scene, 60'000).film, samples.film, usual_false_alarm);
+        films_agree(render(*scene, 40'000).film, samples.film, usual_false_alarm);
     EXPECT_TRUE(passes(agree));
     EXPECT_GE(agree.comparisons, std::size_t{3});
   }
@@ -153,7 +153,7 @@ struct Effort {
   std::uint64_t runs, seeds, steps;  // each run has 32 groups
 };
 // One seed sample in each group, so that most are dark, and three steps.
-constexpr Effort hardly_any{1500, 32, 96};
+constexpr Effort hardly_any{1000, 32, 96};
 
 // The mean of many runs.
 Decision mean_of_runs(Renderer render, Effort effort) {
