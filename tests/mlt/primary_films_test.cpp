@@ -153,7 +153,7 @@ struct Effort {
   std::uint64_t runs, seeds, steps;  // each run has 32 groups
 };
 // One seed sample in each group, so that most are dark, and three steps.
-constexpr Effort hardly_any{1000, 32, 96};
+constexpr Effort hardly_any{1500, 32, 96};
 
 // The mean of many runs.
 Decision mean_of_runs(Renderer render, Effort effort) {
@@ -197,9 +197,9 @@ struct AcceptedOnly : KelemenWeights {
   }
 };
 TEST(PrimaryTwin, OfKelemensWeightsThatLeavesOutSomeLargeStepsIsCaught) {
-  EXPECT_TRUE(rejects(mean_of_runs(&render_primary<PssmltGroup, SilentInTheDark>, hardly_any)));
-  EXPECT_TRUE(rejects(mean_of_runs(&render_primary<MmltGroup, SilentInTheDark>, hardly_any)));
-  constexpr Effort longer{60, 4096, 8000};
+  constexpr Effort longer{60, 4096, 8000}, more_runs{3000, 32, 96};
+  EXPECT_TRUE(rejects(mean_of_runs(&render_primary<PssmltGroup, SilentInTheDark>, more_runs)));
+  EXPECT_TRUE(rejects(mean_of_runs(&render_primary<MmltGroup, SilentInTheDark>, more_runs)));
   EXPECT_TRUE(passes(mean_of_runs(&render_primary<PssmltGroup, KelemenWeights>, longer)));
   EXPECT_TRUE(rejects(mean_of_runs(&render_primary<PssmltGroup, AcceptedOnly>, longer)));
 }
