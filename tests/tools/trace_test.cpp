@@ -211,7 +211,7 @@ TEST_F(TraceCommand, ABrokenOrForeignFileIsExitThree) {
   write("half.nc", contents(folder / "t.nc").substr(0, 20'000));
   const Outcome half = wander("inspect half.nc --json");
   EXPECT_EQ(half.exit_code, 3);
-  EXPECT_HAS(half.err, "half.nc: not a whole trajectory");
+  EXPECT_HAS(half.err, "half.nc: not a trajectory");
   EXPECT_HAS(json::parse(half.out)["error"]["message"].get<std::string>(), "half.nc");
   write("other.nc", "CDF\x01");
   EXPECT_EQ(wander("inspect other.nc").exit_code, 3);
