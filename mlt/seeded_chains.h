@@ -1,6 +1,6 @@
 // The chains of a run, taken out one by one: each is the chain that render() makes of the same
 // scene, mixture and seed, from its first path to its last random number, as long as the budget of
-// render() asks for no more seeds than `fewest_seeds`.
+// render() is enough for all its chains and asks for no more seeds than `fewest_seeds`.
 //
 // Chain k of L groups that found light is the chain k / L of the group k mod L: as many groups as
 // possible are drawn on, for chains of one group share their slice of the seed pass.

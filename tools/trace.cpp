@@ -65,9 +65,6 @@ void require_sensible_output(const Global& global) {
   if (global.out.empty() && !global.json)
     throw UsageError("trace needs -o FILE.nc (or FILE.csv), or --json, or both");
   if (global.out.empty()) return;
-  if (global.out.extension() != ".nc" && !is_csv(global))
-    throw UsageError(
-        fmt::format("-o {}: allowed are FILE.nc (netCDF-4) and FILE.csv", global.out.string()));
   require_replaceable(global.out, global);
   require_writable_directory(global.out);
 }
@@ -182,9 +179,11 @@ TraceOptions::Step parse_step(const std::string& text) {
 
 constexpr const char* details = R"(
 One draw is one step of a chain: what was proposed, every term of its acceptance
-probability, and the state after the decision.  FILE.nc opens with arviz.from_netcdf;
-FILE.csv has one row per draw.  The chains are those that `render -m mlt` runs with the
-same scene, mutations and seed, with any budget of up to 131072 mutations.
+probability, and the state after the decision.  A file with the ending .csv has one row
+per draw; any other is netCDF-4 and opens with arviz.from_netcdf.
+
+The chains are those that `render -m mlt` runs with the same scene, mutations and seed
+and a budget of 256 to 131072 mutations.  Ctrl-C saves the draws that all chains have.
 
 Examples:
   wander trace scene.json --steps 2000 --chains 4 -o chains.nc

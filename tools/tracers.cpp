@@ -10,9 +10,9 @@ namespace {
 
 constexpr std::array<std::string_view, 1> names{"mlt"};
 
-// Calls f(space, kernel) with what the chains of `method` walk in and by.
+// Calls f(space, kernel) with what the chains of a method, the only one, walk in and by.
 template <class F>
-auto with_chains(const description::Scene& description, std::string_view,  // one method so far
+auto with_chains(const description::Scene& description, std::string_view,
                  const MutationWeights& weights, F&& f) {
   const auto scene = build_flatland(description);
   const Transport<Flatland> transport(*scene, Roulette::off);

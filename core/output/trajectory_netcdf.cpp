@@ -4,6 +4,7 @@
 
 #include "core/output/netcdf.h"
 #include "core/output/scene_curves.h"
+#include "core/output/seal.h"
 #include "core/output/trajectory_layout.h"
 
 namespace wander {
@@ -150,7 +151,7 @@ std::string to_netcdf(const TrajectoryRecord& record, const description::Scene& 
   write_sample_stats(file, record);
   write_paths(file, record);
   write_constant_data(file, scene);
-  return file.take();
+  return sealed(file.take());
 }
 
 }  // namespace wander

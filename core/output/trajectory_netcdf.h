@@ -10,6 +10,7 @@
 //   constant_data  the curves of the scene and its camera
 //
 // What does not exist is NaN, and -1 where a class is named.  Equal content gives equal bytes.
+// The file ends with a seal (seal.h): it is read back only as it was written.
 #pragma once
 
 #include <filesystem>

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/output/netcdf.h"
+#include "core/output/seal.h"
 #include "core/output/trajectory_layout.h"
 #include "core/output/trajectory_netcdf.h"
 
@@ -109,11 +110,16 @@ std::optional<TrajectoryRecord> find_trajectory(const std::filesystem::path& pat
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (bytes != signature) return std::nullopt;
   bytes.append(std::istreambuf_iterator<char>(file), {});
+  const std::optional<std::string_view> whole = unsealed(bytes);
+  if (!whole)
+    throw RunFileError(fmt::format(
+        "{}: not a trajectory of this program, or cut short or changed since it was written",
+        path.string()));
   try {
-    const netcdf::Reader reader(bytes);
+    const netcdf::Reader reader(*whole);
     return record_from(reader.root());
   } catch (const netcdf::Error& problem) {
-    throw RunFileError(fmt::format("{}: not a whole trajectory of format {}: {}", path.string(),
+    throw RunFileError(fmt::format("{}: not a trajectory of format {}: {}", path.string(),
                                    trajectory_format, problem.what()));
   }
 }

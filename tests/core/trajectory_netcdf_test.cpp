@@ -13,7 +13,9 @@
 #include "core/output/atomic_file.h"
 #include "core/output/netcdf.h"
 #include "core/output/scene_curves.h"
+#include "core/output/seal.h"
 #include "core/output/trajectory_csv.h"
+#include "core/rng.h"
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {
@@ -153,7 +155,7 @@ TEST_F(TrajectoryFile, OfEqualContentHasEqualBytes) {
 // What ArviZ and xarray look for.
 TEST_F(TrajectoryFile, HasTheNamesOfTheLayout) {
   const std::string bytes = to_netcdf(small_record(2), diffuse_room());
-  const netcdf::Reader reader(bytes);
+  const netcdf::Reader reader(unsealed(bytes).value());
   const auto stats = reader.root().group("sample_stats");
   std::vector<std::int32_t> steps;
   stats.read("draw", 3, steps);
@@ -179,18 +181,30 @@ TEST_F(TrajectoryFile, ThatIsNoneOrBrokenIsRefusedWithItsName) {
   EXPECT_FALSE(find_trajectory(file("{}")));
   EXPECT_FALSE(find_trajectory(folder_ / "missing"));
   EXPECT_NE(message("").find("t.nc"), std::string::npos);
-  for (const std::size_t size : {whole.size() / 2, std::size_t{100}, std::size_t{8}})
-    EXPECT_NE(message(whole.substr(0, size)).find("t.nc: not a whole trajectory"),
+  for (const std::size_t size : {whole.size() / 2, whole.size() - 1, std::size_t{100}})
+    EXPECT_NE(message(whole.substr(0, size)).find("t.nc: not a trajectory of this program, or cut"),
               std::string::npos)
         << size;
 }
 
+TEST_F(TrajectoryFile, WithAByteThatIsDamagedIsRefused) {
+  const std::string whole = to_netcdf(small_record(2), diffuse_room());
+  Rng random(1, Purpose::test, 60);
+  for (int i = 0; i < 40; ++i) {
+    std::string damaged = whole;
+    char& byte = damaged[static_cast<std::size_t>(random.choose(static_cast<int>(whole.size())))];
+    byte = static_cast<char>(byte ^ (1 << random.choose(8)));
+    EXPECT_NE(message(damaged), "");
+  }
+}
+
 TEST_F(TrajectoryFile, OfAnotherKindIsRefused) {
   netcdf::Writer empty = netcdf::Writer::create();
-  EXPECT_NE(message(empty.take()).find("format"), std::string::npos);
+  EXPECT_NE(message(sealed(empty.take())).find("format"), std::string::npos);
   netcdf::Writer other = netcdf::Writer::create();
   other.attribute("format", "something-else/1");
-  EXPECT_NE(message(other.take()).find("its format is something-else/1"), std::string::npos);
+  EXPECT_NE(message(sealed(other.take())).find("its format is something-else/1"),
+            std::string::npos);
 }
 
 TEST_F(TrajectoryFile, WhoseIndicesMeanNothingIsRefused) {
