@@ -4,14 +4,14 @@
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <limits>
 #include <numeric>
+
+#include "core/rendering.h"
 
 namespace wander {
 
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewest_draws = 4;
 
 bool tell_something(const Draws& x) {
@@ -163,30 +163,32 @@ Draws squared_deviations(const Draws& x) {
 }  // namespace
 
 double split_r_hat(const Draws& draws) {
-  if (draws.chains < 2 || !tell_something(draws)) return unknown;
+  if (draws.chains < 2 || !tell_something(draws)) return not_known;
   return r_hat(split(draws));
 }
 
 double rank_r_hat(const Draws& draws) {
-  if (draws.chains < 2 || !tell_something(draws)) return unknown;
+  if (draws.chains < 2 || !tell_something(draws)) return not_known;
   const Draws halves = split(draws);
   return std::fmax(r_hat(normal_scores(halves)), r_hat(normal_scores(folded(halves))));
 }
 
-double ess_mean(const Draws& draws) { return tell_something(draws) ? ess(split(draws)) : unknown; }
+double ess_mean(const Draws& draws) {
+  return tell_something(draws) ? ess(split(draws)) : not_known;
+}
 
 double ess_sd(const Draws& draws) {
-  return tell_something(draws) ? ess(split(squared_deviations(draws))) : unknown;
+  return tell_something(draws) ? ess(split(squared_deviations(draws))) : not_known;
 }
 
 double ess_quantile(const Draws& draws, double probability) {
-  if (!tell_something(draws)) return unknown;
+  if (!tell_something(draws)) return not_known;
   const double q = quantile(draws.values, probability);
   return ess(split(mapped(draws, [q](double v) { return v <= q ? 1.0 : 0.0; })));
 }
 
 double ess_bulk(const Draws& draws) {
-  return tell_something(draws) ? ess(normal_scores(split(draws))) : unknown;
+  return tell_something(draws) ? ess(normal_scores(split(draws))) : not_known;
 }
 
 double ess_tail(const Draws& draws) {
@@ -194,11 +196,13 @@ double ess_tail(const Draws& draws) {
 }
 
 double mcse_mean(const Draws& draws) {
+  if (!tell_something(draws)) return not_known;
   return std::sqrt(variance_of(draws.values) / ess_mean(draws));
 }
 
 // The variance of the second moment, carried to its root.
 double mcse_sd(const Draws& draws) {
+  if (!tell_something(draws)) return not_known;
   const Draws squares = squared_deviations(draws);
   const double second = mean_of(squares.values);
   const double fourth = mean_of(mapped(squares, [](double v) { return v * v; }).values);
@@ -207,8 +211,8 @@ double mcse_sd(const Draws& draws) {
 
 // Half the distance of the quantiles that the 16 % and 84 % points of the quantile's rank reach.
 double mcse_quantile(const Draws& draws, double probability) {
+  if (!tell_something(draws)) return not_known;
   const double size = ess_quantile(draws, probability);
-  if (!(size > 0)) return unknown;
   const boost::math::beta_distribution<> rank(size * probability + 1, size * (1 - probability) + 1);
   std::vector<double> sorted = draws.values;
   std::ranges::sort(sorted);
@@ -226,18 +230,18 @@ double autocorrelation_time(const Draws& draws) {
 
 double sokal_autocorrelation_time(const Draws& draws) {
   constexpr double window = 5, fewest_times = 50;
-  if (!tell_something(draws)) return unknown;
+  if (!tell_something(draws)) return not_known;
   const Autocovariance covariance(draws);
   const double variance = covariance(0);
-  if (!(variance > 0)) return unknown;
+  if (!(variance > 0)) return not_known;
   double tau = 1;
   const auto length = static_cast<double>(draws.length);
   for (std::size_t lag = 1; lag < draws.length; ++lag) {
     tau += 2 * covariance(lag) / variance;
     if (static_cast<double>(lag) >= window * tau)
-      return length >= fewest_times * tau ? tau : unknown;
+      return length >= fewest_times * tau ? tau : not_known;
   }
-  return unknown;
+  return not_known;
 }
 
 }  // namespace wander

@@ -10,6 +10,7 @@
 
 #include "core/run.h"
 #include "mlt/deposit.h"
+#include "mlt/functionals.h"
 #include "mlt/normalization.h"
 #include "mlt/seed_pass.h"
 #include "mlt/statistics.h"
@@ -43,7 +44,7 @@ class ChainGroup {
         chain_count_(chains),
         slice_(space, seed, group, chains),
         film_(space.scene().bins(), space.max_vertices()),
-        statistics_(Kernel::names, space.scene().bins()) {}
+        statistics_(Kernel::names, space.scene().bins(), space.max_vertices()) {}
 
   void add_seeds(std::uint64_t count) { slice_.run(count); }
   const SeedTally& tally() const { return slice_.tally(); }
@@ -55,7 +56,7 @@ class ChainGroup {
       const Path<W> path = slice_.replay(slice_.seed(k), space_.max_vertices());
       chains_.push_back({Chain<Space, Kernel>(space_, kernel_, path),
                          Rng(seed_, Purpose::chain, static_cast<std::uint32_t>(first_chain_ + k)),
-                         space_.bin(path), 0});
+                         features(space_, path), RejectionRuns(Kernel::count)});
     }
   }
 
@@ -72,27 +73,36 @@ class ChainGroup {
   }
   std::uint64_t steps() const { return steps_; }
 
-  void deliver(GroupsFilm& film, MutationStatistics& statistics) const {
+  void deliver(GroupsFilm& film, MutationStatistics& statistics, ChainDraws& draws) const {
     if (steps_ == 0) return film.add_dark_group();
     film.add(film_, tally().mean(), steps_);
     statistics.merge(statistics_);
+    for (const Member& member : chains_) draws.add(member.draws);
   }
 
  private:
   struct Member {
     Chain<Space, Kernel> chain;
     Rng random;
-    int bin;  // where the current path meets the film
-    std::uint64_t steps;
+    Features current;
+    RejectionRuns runs;
+    ThinnedDraws draws{};
+    std::uint64_t steps = 0;
   };
 
   void step(Member& member) {
-    member.random.start(member.steps++);
-    member.chain.step(member.random, [&](const Step<W>& step) {
-      deposit(space_, step, member.bin, film_);
-      statistics_.observe(step, member.bin);
-      if (step.accepted()) member.bin = space_.bin(step.proposed);
+    member.random.start(member.steps);
+    statistics_.timed(member.steps++, [&] {
+      int mutation = 0;
+      member.chain.step(member.random, [&](const Step<W>& step) {
+        deposit(space_, step, member.current.bin, film_);
+        statistics_.observe(observation(space_, step, member.current), member.runs);
+        if (step.accepted()) member.current = features(space_, step.proposed);
+        mutation = step.mutation;
+      });
+      return mutation;
     });
+    member.draws.offer([&] { return functionals(space_, member.chain.current()); });
   }
 
   const Space& space_;
@@ -204,8 +214,9 @@ class ChainRenderer {
   Rendering rendering(const char* method, const SeedTally& tally, double seed_seconds) const {
     const auto resolution = space_.scene().resolution();
     GroupsFilm film({resolution.begin(), resolution.end()});
-    MutationStatistics statistics(Kernel::names, space_.scene().bins());
-    for (const auto& group : groups_) group->deliver(film, statistics);
+    MutationStatistics statistics(Kernel::names, space_.scene().bins(), space_.max_vertices());
+    ChainDraws draws;
+    for (const auto& group : groups_) group->deliver(film, statistics, draws);
     const auto* budget = std::get_if<SampleBudget>(&session_.budget);
     Rendering r;
     r.complete = budget ? statistics.steps() == budget->samples : !run_.is_interrupted();
@@ -219,6 +230,8 @@ class ChainRenderer {
     r.normalization = normalization(tally);
     r.groups = settings_.groups;
     r.chains = settings_.groups * settings_.chains_per_group;
+    r.chains_record = diagnostics(draws);
+    r.chains_record->longest_rejection_run = statistics.longest_rejection_run();
     r.mutations = statistics.records();
     r.warnings = warnings(tally, r.film);
     return r;

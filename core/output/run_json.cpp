@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -59,13 +60,65 @@ ordered_json json_of(const Normalization& normalization) {
   return json;
 }
 
+// Every functional by its name.
+ordered_json json_of(const std::vector<FunctionalRecord>& functionals,
+                     const std::function<ordered_json(const FunctionalRecord&)>& value) {
+  ordered_json json = ordered_json::object();
+  for (const FunctionalRecord& functional : functionals) json[functional.name] = value(functional);
+  return json;
+}
+
+ordered_json chains_of(const Rendering& rendering) {
+  ordered_json json{{"count", rendering.chains}, {"groups", rendering.groups}};
+  if (!rendering.chains_record) return json;
+  const ChainsRecord& chains = *rendering.chains_record;
+  json["draws"] = chains.draws;
+  json["stride"] = chains.stride;
+  json["longest_rejection_run"] = chains.longest_rejection_run;
+  json["r_hat"] = json_of(chains.functionals, [](const auto& f) { return json_of(f.r_hat); });
+  json["ess"] = json_of(chains.functionals, [](const auto& f) {
+    return ordered_json{{"bulk", json_of(f.ess_bulk)}, {"tail", json_of(f.ess_tail)}};
+  });
+  json["ess_per_second"] = json_of(
+      chains.functionals, [&](const auto& f) { return json_of(f.ess_bulk / rendering.seconds); });
+  json["integrated_autocorrelation"] =
+      json_of(chains.functionals, [](const auto& f) { return json_of(f.autocorrelation_time); });
+  return json;
+}
+
+// Of a mutation, and of its part by length or class.
+template <class Record>
+ordered_json outcomes_of(const Record& record) {
+  return {{"proposed", record.proposed},
+          {"accepted", record.accepted},
+          {"mean_acceptance", json_of(record.mean_acceptance)},
+          {"failures", record.failures}};
+}
+
+ordered_json json_of(const std::vector<PathsRecord>& records) {
+  ordered_json json = ordered_json::array();
+  for (const PathsRecord& record : records) {
+    ordered_json& entry = json.emplace_back();
+    if (record.path_class.empty()) {
+      entry["vertices"] = record.vertices;
+    } else {
+      entry["class"] = record.path_class;
+    }
+    entry.update(outcomes_of(record));
+  }
+  return json;
+}
+
 ordered_json json_of(const std::vector<MutationRecord>& mutations) {
   ordered_json json = ordered_json::object();
-  for (const MutationRecord& mutation : mutations)
-    json[mutation.name] = {{"proposed", mutation.proposed},
-                           {"accepted", mutation.accepted},
-                           {"mean_acceptance", json_of(mutation.mean_acceptance)},
-                           {"failures", mutation.failures}};
+  for (const MutationRecord& mutation : mutations) {
+    ordered_json& entry = json[mutation.name] = outcomes_of(mutation);
+    entry["seconds"] = json_of(mutation.seconds);
+    entry["squared_jump"] = json_of(mutation.squared_jump);
+    entry["longest_rejection_run"] = mutation.longest_rejection_run;
+    entry["by_length"] = json_of(mutation.by_length);
+    entry["by_class"] = json_of(mutation.by_class);
+  }
   return json;
 }
 
@@ -117,15 +170,50 @@ Normalization normalization_from(const ordered_json& json) {
   return normalization;
 }
 
+ChainsRecord chains_from(const ordered_json& json) {
+  ChainsRecord chains;
+  chains.draws = json.at("draws");
+  chains.stride = json.at("stride");
+  chains.longest_rejection_run = json.at("longest_rejection_run");
+  for (const auto& [name, r_hat] : json.at("r_hat").items()) {
+    const ordered_json& ess = json.at("ess").at(name);
+    chains.functionals.push_back({name, number_from(r_hat), number_from(ess.at("bulk")),
+                                  number_from(ess.at("tail")),
+                                  number_from(json.at("integrated_autocorrelation").at(name))});
+  }
+  return chains;
+}
+
+template <class Record>
+Record outcomes_from(const ordered_json& json) {
+  Record record;
+  record.proposed = json.at("proposed");
+  record.accepted = json.at("accepted");
+  record.mean_acceptance = number_from(json.at("mean_acceptance"));
+  record.failures = json.at("failures").get<decltype(record.failures)>();
+  return record;
+}
+
+std::vector<PathsRecord> paths_from(const ordered_json& json) {
+  std::vector<PathsRecord> records;
+  for (const ordered_json& entry : json) {
+    records.push_back(outcomes_from<PathsRecord>(entry));
+    records.back().vertices = entry.value("vertices", 0);
+    records.back().path_class = entry.value("class", "");
+  }
+  return records;
+}
+
 std::vector<MutationRecord> mutations_from(const ordered_json& json) {
   std::vector<MutationRecord> mutations;
   for (const auto& [name, entry] : json.items()) {
-    MutationRecord mutation;
+    auto mutation = outcomes_from<MutationRecord>(entry);
     mutation.name = name;
-    mutation.proposed = entry.at("proposed");
-    mutation.accepted = entry.at("accepted");
-    mutation.mean_acceptance = number_from(entry.at("mean_acceptance"));
-    mutation.failures = entry.at("failures").get<decltype(mutation.failures)>();
+    mutation.seconds = number_from(entry.value("seconds", ordered_json()));
+    mutation.squared_jump = number_from(entry.value("squared_jump", ordered_json()));
+    mutation.longest_rejection_run = entry.value("longest_rejection_run", std::uint64_t{0});
+    mutation.by_length = paths_from(entry.value("by_length", ordered_json::array()));
+    mutation.by_class = paths_from(entry.value("by_class", ordered_json::array()));
     mutations.push_back(std::move(mutation));
   }
   return mutations;
@@ -147,6 +235,7 @@ Rendering rendering_from(const ordered_json& json) {
   if (json.contains("chains")) {
     rendering.chains = json["chains"].at("count");
     rendering.groups = json["chains"].at("groups");
+    if (json["chains"].contains("r_hat")) rendering.chains_record = chains_from(json["chains"]);
   }
   if (json.contains("mutations")) rendering.mutations = mutations_from(json["mutations"]);
   rendering.warnings = json.at("warnings").get<std::vector<std::string>>();
@@ -183,8 +272,7 @@ ordered_json to_json(const RunRecord& run) {
                     {"precision", rendering.precision},
                     {"film", json_of(rendering.film, provenance.dimension)}};
   if (rendering.normalization) json["normalization"] = json_of(*rendering.normalization);
-  if (rendering.chains > 0)
-    json["chains"] = {{"count", rendering.chains}, {"groups", rendering.groups}};
+  if (rendering.chains > 0) json["chains"] = chains_of(rendering);
   if (!rendering.mutations.empty()) json["mutations"] = json_of(rendering.mutations);
   json["command_line"] = provenance.command_line;
   json["version"] = provenance.version;
