@@ -13,7 +13,7 @@
 #include "mlt/functionals.h"
 #include "mlt/normalization.h"
 #include "mlt/seed_pass.h"
-#include "mlt/statistics.h"
+#include "mlt/warnings.h"
 
 namespace wander {
 
@@ -233,19 +233,10 @@ class ChainRenderer {
     r.chains_record = diagnostics(draws);
     r.chains_record->longest_rejection_run = statistics.longest_rejection_run();
     r.mutations = statistics.records();
-    r.warnings = warnings(tally, r.film);
+    if (rests_on_few_samples(tally)) r.film.reliable.assign(r.film.reliable.size(), false);
+    r.warnings = warnings({tally, draws, *r.chains_record, statistics,
+                           static_cast<std::size_t>(settings_.chains_per_group)});
     return r;
-  }
-
-  // A seed pass that few samples carry has not seen what it may have missed.
-  static std::vector<std::string> warnings(const SeedTally& tally, FilmEstimate& film) {
-    const auto carried = static_cast<int>(tally.effective_samples());
-    if (carried >= static_cast<int>(fewest_effective_samples)) return {};
-    film.reliable.assign(film.reliable.size(), false);
-    return {"the seed pass rests on about " + std::to_string(carried) + " of " +
-            std::to_string(tally.samples) +
-            " samples: a rare event carries the light, so no error bar is trusted; a larger budget "
-            "makes a longer seed pass"};
   }
 
   static std::string no_light(std::uint64_t samples) {
