@@ -12,7 +12,8 @@
 #include "tests/support/path_equality.h"
 #include "tests/support/test_scenes.h"
 
-// ---- counting allocations ---------------------------------------------------------------------------
+// ---- counting allocations
+// ---------------------------------------------------------------------------
 
 namespace {
 
