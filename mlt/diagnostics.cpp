@@ -56,30 +56,29 @@ Draws split(const Draws& x) {
 
 // Quantile by linear interpolation, type 7 of Hyndman and Fan (1996).
 double quantile(std::vector<double> x, double probability) {
-  std::ranges::sort(x);
   const double n = static_cast<double>(x.size()), place = n * probability + (1 - probability);
   const double below = std::floor(std::clamp(place, 1.0, n - 1));
   const double share = std::clamp(place - below, 0.0, 1.0);
-  const auto k = static_cast<std::size_t>(below);
-  if (x[k - 1] == x[k]) return x[k];
-  return (1 - share) * x[k - 1] + share * x[k];
+  const auto upper = x.begin() + static_cast<std::ptrdiff_t>(below);
+  std::nth_element(x.begin(), upper, x.end());
+  const double low = *std::max_element(x.begin(), upper), high = *upper;
+  return low == high ? low : (1 - share) * low + share * high;
 }
 
 // z = Φ⁻¹((rank - 3/8) / (S + 1/4)) [Blom 1958]; equal values share their mean rank.
 Draws normal_scores(Draws x) {
+  using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+  const boost::math::normal_distribution<double, Policy> standard;
   const std::size_t size = x.values.size();
-  std::vector<std::size_t> order(size);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return x.values[i]; });
-  std::vector<double> scores(size);
-  const boost::math::normal standard;
+  std::vector<std::pair<double, std::size_t>> sorted(size);
+  for (std::size_t i = 0; i < size; ++i) sorted[i] = {x.values[i], i};
+  std::ranges::sort(sorted);
   for (std::size_t first = 0, end = 0; first < size; first = end) {
-    while (end < size && x.values[order[end]] == x.values[order[first]]) ++end;
+    while (end < size && sorted[end].first == sorted[first].first) ++end;
     const double rank = static_cast<double>(first + 1 + end) / 2;
     const double z = boost::math::quantile(standard, (rank - 0.375) / (double(size) + 0.25));
-    for (std::size_t i = first; i < end; ++i) scores[order[i]] = z;
+    for (std::size_t i = first; i < end; ++i) x.values[sorted[i].second] = z;
   }
-  x.values = std::move(scores);
   return x;
 }
 

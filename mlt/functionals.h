@@ -30,7 +30,7 @@ Functionals functionals(const Space& space, const Path<typename Space::Universe>
 // The draws of one chain.
 class ThinnedDraws {
  public:
-  static constexpr std::size_t capacity = 512;
+  static constexpr std::size_t capacity = 256;
 
   ThinnedDraws() { draws_.reserve(capacity); }
 

@@ -20,7 +20,7 @@ ThinnedDraws counted(std::uint64_t steps, double offset) {
 }
 
 TEST(ThinnedDraws, AreStatesAtEqualDistances) {
-  for (const std::uint64_t steps : {0u, 1u, 511u, 512u, 513u, 1024u, 5000u, 100'000u}) {
+  for (const std::uint64_t steps : {0u, 1u, 255u, 256u, 257u, 1024u, 5000u, 100'000u}) {
     const ThinnedDraws draws = counted(steps, 0);
     EXPECT_LT(draws.size(), ThinnedDraws::capacity);
     EXPECT_TRUE(draws.stride() == 1 || draws.size() >= ThinnedDraws::capacity / 2);
@@ -31,7 +31,7 @@ TEST(ThinnedDraws, AreStatesAtEqualDistances) {
 }
 
 TEST(ChainDraws, OfChainsThatDifferInLengthHaveOneStrideAndOneLength) {
-  const ThinnedDraws fine = counted(511, 0.25), coarse = counted(512, 0.5);
+  const ThinnedDraws fine = counted(255, 0.25), coarse = counted(256, 0.5);
   ASSERT_NE(fine.stride(), coarse.stride());
   ChainDraws draws;
   draws.add(fine);
@@ -40,8 +40,8 @@ TEST(ChainDraws, OfChainsThatDifferInLengthHaveOneStrideAndOneLength) {
   EXPECT_EQ(draws.stride(), 2u);
   const Draws shifted = draws.of(1);
   ASSERT_EQ(shifted.chains, 2u);
-  ASSERT_EQ(shifted.length, 256u);
-  for (std::size_t i = 0; i < 256; ++i) {
+  ASSERT_EQ(shifted.length, 128u);
+  for (std::size_t i = 0; i < 128; ++i) {
     EXPECT_EQ(shifted.chain(0)[i], 2 * static_cast<double>(i) + 0.25);
     EXPECT_EQ(shifted.chain(1)[i], 2 * static_cast<double>(i) + 0.5);
   }
@@ -59,11 +59,11 @@ TEST(ChainsRecord, CountsAutocorrelationInSteps) {
   draws.add(a);
   draws.add(b);
   const ChainsRecord record = diagnostics(draws);
-  EXPECT_EQ(record.stride, 16u);
-  EXPECT_EQ(record.draws, 313u);
+  EXPECT_EQ(record.stride, 32u);
+  EXPECT_EQ(record.draws, 157u);
   ASSERT_EQ(record.functionals.size(), 4u);
   EXPECT_EQ(record.functionals[0].name, "film");
-  EXPECT_EQ(record.functionals[0].autocorrelation_time, 16 * autocorrelation_time(draws.of(0)));
+  EXPECT_EQ(record.functionals[0].autocorrelation_time, 32 * autocorrelation_time(draws.of(0)));
   EXPECT_TRUE(std::isnan(record.functionals[2].r_hat));  // one value
   EXPECT_EQ(record.functionals[3].r_hat,                 // one value in each chain
             std::numeric_limits<double>::infinity());
