@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <span>
 
 #include "core/film.h"
 #include "mlt/deposit.h"
@@ -20,6 +22,12 @@ constexpr double least_share = 0.005;
 // … in which every group would make at least so many steps, if the chains mixed, is met by more
 // than a few groups.
 constexpr double fewest_steps = 100;
+
+// So many classes are named in a warning, the brightest first.
+constexpr std::size_t most_named = 3;
+
+// A budget that is still more times as large is no advice.
+constexpr double largest_factor = 100;
 
 constexpr std::size_t cells = 16;
 
@@ -89,13 +97,14 @@ std::string slow_mixing(const ChainsRecord& chains) {
   if (parts.empty()) return "";
   const double factor = (worst * worst - 1) / (largest_r_hat * largest_r_hat - 1);
   return fmt::format(
-      "the chains of about {} mutations are short for their mixing: R-hat is {}, above {}; the "
-      "error bars hold, since chains start where the light is, but effective sample sizes are "
-      "rough; {}",
+      "the chains of about {} mutations are short for their mixing: R-hat is {}, above {}, so "
+      "their "
+      "effective sample sizes are rough; {}",
       chains.draws * chains.stride, fmt::join(parts, ", "), largest_r_hat,
-      std::isfinite(factor) && factor < 1000
-          ? fmt::format("a budget {:.2g} times as large would do", factor)
-          : std::string("no larger budget would do: use other mutations, or bdpt"));
+      factor < largest_factor
+          ? fmt::format("a budget {:.{}f} times as large would do", factor, factor < 10 ? 1 : 0)
+          : std::string(
+                "no budget below 100 times as large would do; try other mutations, or bdpt"));
 }
 
 std::string disagreeing_groups(const Evidence& evidence) {
@@ -120,16 +129,20 @@ std::string disagreeing_groups(const Evidence& evidence) {
 std::string few_groups(const MutationStatistics& statistics, std::size_t groups) {
   if (groups < 2 * static_cast<std::size_t>(GroupsFilm::fewest_groups)) return "";
   const auto steps = static_cast<double>(statistics.steps());
-  std::vector<std::string> parts;
-  for (const auto& visits : statistics.visits()) {
+  std::vector<MutationStatistics::Visits> rare = statistics.visits();
+  std::erase_if(rare, [&](const auto& visits) {
     const auto spent = static_cast<double>(visits.steps);
-    if (visits.groups >= GroupsFilm::fewest_groups || spent < least_share * steps) continue;
-    if (spent < fewest_steps * static_cast<double>(groups)) continue;
-    parts.push_back(fmt::format("{} ({:.2g} % of the light, {} of {} groups)",
-                                name_of_class(visits.path_class), 100 * spent / steps,
-                                visits.groups, groups));
-  }
-  if (parts.empty()) return "";
+    return visits.groups >= GroupsFilm::fewest_groups || spent < least_share * steps ||
+           spent < fewest_steps * static_cast<double>(groups);
+  });
+  if (rare.empty()) return "";
+  std::ranges::stable_sort(rare, std::greater(), &MutationStatistics::Visits::steps);
+  std::vector<std::string> parts;
+  for (const auto& visits : std::span(rare).first(std::min(rare.size(), most_named)))
+    parts.push_back(
+        fmt::format("{} ({:.2g} % of the light, {} of {} groups)", name_of_class(visits.path_class),
+                    100 * static_cast<double>(visits.steps) / steps, visits.groups, groups));
+  if (rare.size() > most_named) parts.push_back(fmt::format("{} more", rare.size() - most_named));
   return fmt::format(
       "few groups of chains ever met paths of class {}: the seed pass hardly finds them, and no "
       "mutation leads there; a larger budget makes a longer seed pass",
