@@ -12,8 +12,7 @@
 #include "tests/support/path_equality.h"
 #include "tests/support/test_scenes.h"
 
-// ---- counting allocations
-// ---------------------------------------------------------------------------
+// ---- counting allocations ---------------------------------------------------------------------------
 
 namespace {
 
