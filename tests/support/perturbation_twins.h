@@ -118,12 +118,13 @@ struct In {
   }
 };
 
-// Follows reflections and transmissions as a coin decides, and not as the path did.
+// Follows reflections and transmissions as a biased coin decides, and not as the path did.  (With a
+// fair coin this would be right: both lobes are then as likely there as back.)
 template <class M>
 struct WithLobesByCoin {
   static constexpr std::string_view name = M::name;
   M mutation;
-  double reflection = 0.2;
+  double reflection = 0.9;
 
   template <class Space>
   double applicability(const Space& space, const Path<typename Space::Universe>& x) const {
