@@ -6,8 +6,7 @@
 // sine of a cone, no chain can show; perturbation_density_test.cpp does.
 #include <gtest/gtest.h>
 
-#include "tests/support/expect.h"
-#include "tests/support/invariance.h"
+#include "tests/support/caught.h"
 #include "tests/support/perturbation_twins.h"
 #include "tests/support/space_box.h"
 
@@ -61,19 +60,10 @@ TEST_P(InABox, TheMultiChainPerturbationKeepsTheDistribution) {
   expect_invariance(alone(Multichain{wide}), 8, 150'000);  // it acts on few paths
 }
 
-template <class Mutation>
-::testing::AssertionResult caught(const Mutation& mutation) {
-  const InvarianceReport report = report_of(-1, alone(mutation));
-  if (!report.all_pass()) return ::testing::AssertionSuccess();
-  return ::testing::AssertionFailure()
-         << "a wrong twin went unnoticed: " << describe(report.one_step) << "; "
-         << describe(report.many_steps);
-}
-
 TEST(WrongBox, WithoutACosineOrWithOneDistanceLessIsCaught) {
-  EXPECT_TRUE(caught(In<Lens, WithoutCosine>{{wide}}));
-  EXPECT_TRUE(caught(In<Lens, WithOneDistanceLess>{{wide}}));
-  EXPECT_TRUE(caught(In<Caustic, WithoutCosine>{{wide}}));
+  EXPECT_TRUE(caught(report_of(-1, alone(In<Lens, WithoutCosine>{{wide}}))));
+  EXPECT_TRUE(caught(report_of(-1, alone(In<Lens, WithOneDistanceLess>{{wide}}))));
+  EXPECT_TRUE(caught(report_of(-1, alone(In<Caustic, WithoutCosine>{{wide}}))));
 }
 
 }  // namespace
