@@ -50,6 +50,7 @@ const Part& worst_of(const std::array<Part, 3>& parts) {
 }
 
 std::string reason_untested(const InvarianceReport& r) {
+  if (r.starts == 0) return "none of its samples found a path; a larger --samples may find some";
   if (r.acted == 0) return fmt::format("it cannot act on any of the {} paths found", r.starts);
   if (r.moved == 0)
     return fmt::format("it could act on {} paths, and none of its proposals could be accepted",

@@ -14,6 +14,12 @@ bool can_see_all(std::string_view method, const description::Scene& description)
   return !build_flatland(description)->has_specular();
 }
 
+// Methods with the same seed share their random walks; their films would not be independent.
+Session with_own_numbers(Session session, std::uint64_t method) {
+  session.seed += 0x9E3779B97F4A7C15 * (method + 1);
+  return session;
+}
+
 MethodCheck untested(std::string method, std::string reason) {
   return {.method = std::move(method), .reason = std::move(reason)};
 }
@@ -45,7 +51,7 @@ MethodCheck compare_films(std::string method, const FilmEstimate& film,
 std::vector<MethodCheck> check_methods(const description::Scene& scene,
                                        const MutationWeights& weights, const Session& session,
                                        double false_alarm, const std::function<void()>& done) {
-  const Rendering reference = render(scene, reference_method, {}, session);
+  const Rendering reference = render(scene, reference_method, {}, with_own_numbers(session, 0));
   done();
   std::vector<MethodCheck> checks;
   for (const std::string_view method : checked_methods()) {
@@ -56,7 +62,8 @@ std::vector<MethodCheck> check_methods(const description::Scene& scene,
     } else {
       try {
         const Rendering rendering =
-            render(scene, method, method == "mlt" ? weights : MutationWeights{}, session);
+            render(scene, method, method == "mlt" ? weights : MutationWeights{},
+                   with_own_numbers(session, checks.size() + 1));
         checks.push_back(compare_films(name, rendering.film, reference.film, false_alarm));
       } catch (const NoLightFound& dark) {
         checks.push_back(untested(name, dark.what()));
