@@ -22,6 +22,7 @@ namespace wander {
 class PrimaryLarge {
  public:
   static constexpr std::string_view name = "primary_large", word = primary_word;
+  static constexpr double auto_weight = primary_auto_weight;
   static constexpr double share = default_large_step;
   // Of q, after a seed pass.
   static constexpr double uniform_part = 0.25;

@@ -17,6 +17,7 @@ namespace wander {
 
 struct PrimarySmall {
   static constexpr std::string_view name = "primary_small", word = primary_word;
+  static constexpr double auto_weight = primary_auto_weight;
   static constexpr double share = 1 - default_large_step;
   Kelemen kernel{};
 
