@@ -23,6 +23,14 @@ constexpr double share_of() {
 }
 
 template <class M>
+constexpr double auto_weight_of() {
+  if constexpr (requires { M::auto_weight; })
+    return M::auto_weight;
+  else
+    return 1;
+}
+
+template <class M>
 std::string_view left_out([[maybe_unused]] const Requirements& scene) {
   if constexpr (requires { M::left_out(scene); })
     return M::left_out(scene);
@@ -54,7 +62,7 @@ void choose(const Requirements& scene, MutationChoice& choice) {
   }
   choice.taken.push_back(name);
   const auto known = std::ranges::find(choice.weights, word, &MutationWeights::value_type::first);
-  if (known == choice.weights.end()) choice.weights.emplace_back(word, 1);
+  if (known == choice.weights.end()) choice.weights.emplace_back(word, auto_weight_of<M>());
 }
 
 // Calls f.template operator()<M>() for every mutation of the family, in its order.

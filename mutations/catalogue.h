@@ -1,9 +1,10 @@
 // The mutations by name.  A new one is a file of its own, included here, and its place in `Family`.
 //
 // Beside what every mutation has (mlt/mutation.h), one may say
-//   word      the word of --mutations that it goes by, if not its name; a word may stand for
-//   several share     its part of that word's weight, if not 1 left_out  why a scene has no use for
-//   it; empty if it has
+// - `word`, of --mutations, that it goes by if not by its name; a word may stand for several;
+// - `share`, its part of that word's weight, if not 1;
+// - `auto_weight`, of its word where the weights are `auto`, if not 1;
+// - `left_out(scene)`, why a scene has no use for it; empty if it has.
 #pragma once
 
 #include <map>
