@@ -8,6 +8,7 @@
 #include <functional>
 #include <numeric>
 
+#include "mlt/diagnostics.h"
 #include "tools/figure/axis.h"
 #include "tools/figure/style.h"
 
@@ -43,15 +44,18 @@ struct Curves {
   std::vector<std::vector<double>> chains;
   std::vector<double> mean;  // of those that move
   std::size_t constant = 0;  // chains that do not
+  double time = 0;           // integrated autocorrelation time, in draws; NaN if it cannot be told
 };
 
 Curves curves_of(const Steps& steps, const Functional& functional, int lags) {
-  Curves curves{functional.name, {}, std::vector<double>(static_cast<std::size_t>(lags) + 1), 0};
+  Curves curves{functional.name, {}, std::vector<double>(static_cast<std::size_t>(lags) + 1), 0, 0};
+  Draws draws{steps.chains().size(), static_cast<std::size_t>(steps.draws()), {}};
   std::vector<double> x(static_cast<std::size_t>(steps.draws()));
   for (const int chain : steps.chains()) {
     for (int draw = 0; draw < steps.draws(); ++draw)
       x[static_cast<std::size_t>(draw)] =
           functional.value(steps.trajectory(), steps.index(chain, steps.first() + draw));
+    draws.values.insert(draws.values.end(), x.begin(), x.end());
     std::vector<double> rho = autocorrelation(x, lags);
     if (rho.empty()) {
       ++curves.constant;
@@ -61,6 +65,7 @@ Curves curves_of(const Steps& steps, const Functional& functional, int lags) {
     curves.chains.push_back(std::move(rho));
   }
   for (double& rho : curves.mean) rho /= static_cast<double>(curves.chains.size());
+  curves.time = autocorrelation_time(draws);
   return curves;
 }
 
@@ -84,6 +89,11 @@ void draw_curve(Svg& svg, const std::vector<double>& rho, const LinearScale& x,
                   {"fill", "none"}});
 }
 
+std::string title(const Curves& curves) {
+  if (!std::isfinite(curves.time)) return std::string(curves.name);
+  return fmt::format("{}, τ {:.3g}", curves.name, curves.time);
+}
+
 std::string note(const Curves& curves) {
   if (curves.chains.empty()) return "does not change";
   if (curves.constant == 0) return "";
@@ -97,7 +107,7 @@ void draw_panel(Svg& svg, const Curves& curves, const LinearScale& x, const Line
   for (const auto& chain : curves.chains)
     draw_curve(svg, chain, x, y, "chain", thin, style::accepted.colour);
   if (!curves.chains.empty()) draw_curve(svg, curves.mean, x, y, "mean", thick, style::ink);
-  svg.text({(x.page.low + x.page.high) / 2, y.page.high - 4}, curves.name,
+  svg.text({(x.page.low + x.page.high) / 2, y.page.high - 4}, title(curves),
            {.size = style::small_size, .anchor = "middle"});
   if (const std::string text = note(curves); !text.empty())
     svg.text({x.page.high, y.page.high + 8}, text, {.size = style::small_size, .anchor = "end"});
@@ -139,7 +149,8 @@ Block autocorrelation_chart(const Steps& steps, double width) {
   const Range values{lowest(all), 1};
   const Quantity lag = lag_of(steps.trajectory());
   return {
-      fmt::format("Autocorrelation, {}; thin: each chain, thick: their mean", in_words(steps)),
+      fmt::format("Autocorrelation, {}; thin: each chain, thick: their mean; τ: integrated time",
+                  in_words(steps)),
       header + panel_height + bottom_axis_height, [=](Svg& svg, Vector top_left) {
         const auto count = static_cast<double>(all.size());
         const double left = top_left.x + left_axis_gap + 16;
