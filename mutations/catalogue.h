@@ -1,9 +1,9 @@
 // The mutations by name.  A new one is a file of its own, included here, and its place in `Family`.
 //
 // Beside what every mutation has (mlt/mutation.h), one may say
-//   word      the word of --mutations that it goes by, if not its name; a word may stand for
-//   several share     its part of that word's weight, if not 1 left_out  why a scene has no use for
-//   it; empty if it has
+//   word      the word of --mutations that it goes by, if not its name; several may share one
+//   share     its part of that word's weight, if not 1
+//   left_out  why a scene has no use for it; empty if it has
 #pragma once
 
 #include <map>

@@ -8,7 +8,7 @@ source=$(cd "$(dirname "$0")/.." && pwd)
 folder=$1
 shift
 copy=$folder/source build=$folder/build
-check=("$build/bin/wander" check gallery:slit --mutations 'bidirectional=1,sensor_slide=1' --samples 50k -q)
+check=("$build/bin/wander" check gallery:article-1 --mutations 'bidirectional=1,sensor_slide=1' --samples 50k -q)
 
 rm -rf "$copy"
 mkdir -p "$copy"

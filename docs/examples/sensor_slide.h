@@ -1,7 +1,7 @@
 // The sensor slide: the sensor's end of a path moves a little along the sensor, and the rest of the
 // path stays.
 //
-// For paths whose vertex before the sensor scatters or is the light, and ends on a shape.  Each
+// For paths that end on a shape and whose vertex before it scatters or is the light.  Each
 // coordinate u of the sensor, in [0,1), becomes one that is uniform in the window of those within
 // reach, window(u) = min(1, u + reach) - max(0, u - reach).  With A the sensor's measure,
 //   T(x→y) = 1/A Π 1/window(u_x)
