@@ -49,8 +49,8 @@ class Program : public CommandLine {
   const std::string& help(const std::string& verb) {
     const auto [found, is_new] = helps_.try_emplace(verb);
     if (is_new) {
-      const Outcome outcome = wander(verb + " --help");
-      if (outcome.exit_code == 0) found->second = outcome.out;
+      const std::string text = wander(verb + " --help").out;
+      if (text.find("Usage: wander " + verb + " ") != std::string::npos) found->second = text;
     }
     return found->second;
   }
@@ -97,14 +97,15 @@ TEST_F(Program, ControlsOfItsWords) {
 
 // ---- files
 
-std::string without_fences(const std::string& text) {
+// Without fenced and indented blocks.
+std::string prose_of(const std::string& text) {
   std::istringstream lines(text);
   std::string prose;
   bool is_fenced = false;
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("```"))
       is_fenced = !is_fenced;
-    else if (!is_fenced)
+    else if (!is_fenced && !line.starts_with("    "))
       prose += line + "\n";
   }
   return prose;
@@ -115,7 +116,7 @@ Faults missing_files(const std::string& text, const fs::path& folder) {
   static const std::regex link(R"(\]\(([^)#:]+)(#[^)]*)?\))");
   static const std::regex source(
       R"(`((core|mlt|mutations|tools|tests|docs|scenes|schema)/[a-z0-9_/.-]+\.[a-z]+)`)");
-  const std::string prose = without_fences(text);
+  const std::string prose = prose_of(text);
   Faults faults;
   const auto require = [&](const fs::path& file) {
     if (!fs::exists(file)) faults.push_back(file.string());
