@@ -38,9 +38,10 @@ std::string_view left_out([[maybe_unused]] const Requirements& scene) {
     return {};
 }
 
+// An aggregate could be made of a number, too, but its parameters are not the length of paths.
 template <class M>
 M make(int max_vertices) {
-  if constexpr (std::is_constructible_v<M, int>)
+  if constexpr (!std::is_aggregate_v<M> && std::is_constructible_v<M, int>)
     return M(max_vertices);
   else
     return M{};
