@@ -98,4 +98,9 @@ Family make_family(const MutationWeights& weights, int max_vertices) {
   return made(family, weights, max_vertices);
 }
 
+Family make_family(const MutationWeights& weights, const Requirements& scene) {
+  return make_family(weights.empty() ? choose_mutations(scene).weights : weights,
+                     scene.max_vertices);
+}
+
 }  // namespace wander

@@ -41,5 +41,7 @@ MutationChoice choose_mutations(const Requirements& scene);
 
 // The mixture for paths of up to `max_vertices` vertices.  No weights: every mutation.
 Family make_family(const MutationWeights& weights, int max_vertices);
+// The mixture for a scene.  No weights: what `auto` makes of it.
+Family make_family(const MutationWeights& weights, const Requirements& scene);
 
 }  // namespace wander

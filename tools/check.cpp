@@ -77,7 +77,7 @@ CheckReport check(const SceneDocument& document, const CheckOptions& options,
                   const Session& session) {
   const auto scene = build_flatland(document.scene);
   const Flat space(*scene, Roulette::off);
-  const Family family = make_family(options.mutations, space.max_vertices());
+  const Family family = make_family(options.mutations, requires_of(document.scene));
   const Starts<Flat> starts(space, session.seed);
   require_light(starts);
 
@@ -144,7 +144,7 @@ void add_check(CLI::App& app, Global& global) {
   verb->add_option_function<std::string>(
           "--mutations",
           [options](const std::string& text) { options->mutations = parse_mutations(text); },
-          "auto (the default: all that the scene can use), or the weights of some, as in render")
+          mutations_help())
       ->type_name("SPEC");
   verb->add_option_function<std::string>(
           "--samples",

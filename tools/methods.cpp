@@ -67,9 +67,7 @@ Rendering render(const description::Scene& description, std::string_view method,
         transport, session, "pssmlt",
         estimator == StepEstimator::usual ? StepEstimator::kelemen : estimator);
   if (method == "mmlt") return render_primary<MmltGroup>(transport, session, "mmlt", estimator);
-  const Family family =
-      make_family(weights.empty() ? choose_mutations(requires_of(description)).weights : weights,
-                  scene->max_vertices());
+  const Family family = make_family(weights, requires_of(description));
   return ChainRenderer(transport, family, session, ChainSettings{}).render("mlt");
 }
 

@@ -1,6 +1,7 @@
 #include "tools/parsing.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -115,6 +116,12 @@ StepEstimator parse_estimator(std::string_view text) {
   if (found == estimator_words.end())
     throw UsageError(unknown_word("estimator", text, estimator_words));
   return estimators[static_cast<std::size_t>(found - estimator_words.begin())];
+}
+
+std::string mutations_help() {
+  return fmt::format(
+      "auto (the default: all that the scene can use), or relative weights of these: {}=1",
+      fmt::join(mutation_words(), "=1,"));
 }
 
 const MethodName& parse_method(std::string_view text) {

@@ -20,6 +20,8 @@ Budget parse_budget(std::string_view text);
 // `auto` (no weights) or `WORD=WEIGHT,...` with the words of the catalogue of mutations.  What is
 // not named is not used.
 MutationWeights parse_mutations(std::string_view text);
+// What --mutations takes, in words.
+std::string mutations_help();
 
 // `kelemen` or `expected`.
 StepEstimator parse_estimator(std::string_view text);

@@ -148,8 +148,7 @@ void add_render(CLI::App& app, Global& global) {
   verb->add_option_function<std::string>(
           "--mutations",
           [options](const std::string& text) { options->mutations = parse_mutations(text); },
-          "auto (the default: all that the scene can use), or relative weights of these: "
-          "bidirectional=1,lens=2,caustic=1,primary=1")
+          mutations_help())
       ->type_name("SPEC");
   verb->add_option_function<std::string>(
           "--estimator",

@@ -191,7 +191,8 @@ Examples:
 )";
 
 void add_trace_options(CLI::App& verb, const std::shared_ptr<TraceOptions>& options) {
-  const auto option = [&](const char* name, const char* type, const char* help, auto&& parse) {
+  const auto option = [&](const char* name, const char* type, const std::string& help,
+                          auto&& parse) {
     verb.add_option_function<std::string>(name, parse, help)->type_name(type);
   };
   verb.add_option("SCENE", options->scene, "scene file, or gallery:NAME")
@@ -199,9 +200,7 @@ void add_trace_options(CLI::App& verb, const std::shared_ptr<TraceOptions>& opti
       ->required();
   option("-m,--method", "METHOD", "mlt (the default)",
          [options](const std::string& text) { options->method = parse_method(text).name; });
-  option("--mutations", "SPEC",
-         "auto (the default: all that the scene can use), or relative weights of these: "
-         "bidirectional=1,primary=1",
+  option("--mutations", "SPEC", mutations_help(),
          [options](const std::string& text) { options->mutations = parse_mutations(text); });
   option("--max-vertices", "N", "longest paths, both ends counted (default: what the scene says)",
          [options](const std::string& text) { options->max_vertices = parse_max_vertices(text); });

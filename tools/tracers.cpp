@@ -16,10 +16,7 @@ auto with_chains(const description::Scene& description, std::string_view,
                  const MutationWeights& weights, F&& f) {
   const auto scene = build_flatland(description);
   const Transport<Flatland> transport(*scene, Roulette::off);
-  return f(
-      transport,
-      make_family(weights.empty() ? choose_mutations(requires_of(description)).weights : weights,
-                  scene->max_vertices()));
+  return f(transport, make_family(weights, requires_of(description)));
 }
 
 }  // namespace
