@@ -1,0 +1,74 @@
+// A group of chains, made again by hand: its slice of seeds, a stream for each chain, a number for
+// each step, and the film that these alone determine.
+#include <gtest/gtest.h>
+
+#include "mlt/render.h"
+#include "mutations/catalogue.h"
+#include "tests/support/test_scenes.h"
+
+namespace wander::test {
+namespace {
+
+using W = Flatland;
+using Flat = Transport<W>;
+
+constexpr std::uint64_t seed = 5;
+constexpr int group = 2, chains = 3;
+constexpr std::uint64_t samples = 300;
+
+class Group : public ::testing::Test {
+ protected:
+  // Step i of chain k draws from its own stream, and deposits in the bin where the path is.
+  void run_chain(int k, std::uint64_t steps, GroupFilm& film, MutationStatistics& statistics) {
+    Chain<Flat, Family> chain(space_, family_,
+                              slice_.replay(slice_.seed(k), space_.max_vertices()));
+    Rng random(seed, Purpose::chain, static_cast<std::uint32_t>(group * chains + k));
+    for (std::uint64_t i = 0; i < steps; ++i) {
+      random.start(i);
+      chain.step(random, [&](const Step<W>& step) {
+        const int bin = space_.bin(step.current);
+        deposit(space_, step, bin, film);
+        statistics.observe(step, bin);
+      });
+    }
+  }
+  void SetUp() override { slice_.run(samples); }
+
+  FlatScene scene_ = build(diffuse_room());
+  Flat space_{*scene_, Roulette::off};
+  Family family_ = make_family({}, scene_->max_vertices());
+  SeedSlice<Flat> slice_{space_, seed, group, chains};
+};
+
+// 107 steps of three chains are 36, 36 and 35, whatever the rounds that they are made in.
+TEST_F(Group, MakesTheStepsOfItsOwnStreams) {
+  GroupsFilm expected({scene_->bins()}), actual({scene_->bins()});
+  MutationStatistics expected_statistics(Family::names, scene_->bins());
+  MutationStatistics actual_statistics(Family::names, scene_->bins());
+  GroupFilm film(scene_->bins(), scene_->max_vertices());
+  for (const auto& [k, steps] : {std::pair(0, 36u), {1, 36u}, {2, 35u}})
+    run_chain(k, steps, film, expected_statistics);
+  expected.add(film, slice_.tally().mean(), 107);
+
+  ChainGroup<Flat, Family> made(space_, family_, seed, group, chains);
+  made.add_seeds(samples);
+  made.start_chains();
+  for (const std::uint64_t round : {2u, 98u, 7u}) made.advance(round);
+  EXPECT_EQ(made.steps(), 107u);
+  made.deliver(actual, actual_statistics);
+
+  const FilmEstimate a = actual.estimate(), e = expected.estimate();
+  for (std::size_t bin = 0; bin < e.value.size(); ++bin)
+    EXPECT_NEAR(a.value[bin], e.value[bin], 1e-12 * slice_.tally().mean()) << "bin " << bin;
+  EXPECT_EQ(a.by_length.size(), e.by_length.size());
+  const auto records = actual_statistics.records(), by_hand = expected_statistics.records();
+  ASSERT_EQ(records.size(), by_hand.size());
+  for (std::size_t m = 0; m < records.size(); ++m) {
+    EXPECT_EQ(records[m].accepted, by_hand[m].accepted);
+    EXPECT_EQ(records[m].failures, by_hand[m].failures);
+    EXPECT_EQ(records[m].proposed_per_bin, by_hand[m].proposed_per_bin);
+  }
+}
+
+}  // namespace
+}  // namespace wander::test
