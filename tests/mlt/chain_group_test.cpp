@@ -16,7 +16,7 @@ constexpr std::uint64_t seed = 5;
 constexpr int group = 2, chains = 3;
 constexpr std::uint64_t samples = 300;
 
-class Group : public ::testing::Test {
+class PathGroups : public ::testing::Test {
  protected:
   // Step i of chain k draws from its own stream, and deposits in the bin where the path is.
   void run_chain(int k, std::uint64_t steps, GroupFilm& film, MutationStatistics& statistics) {
@@ -32,16 +32,24 @@ class Group : public ::testing::Test {
       });
     }
   }
-  void SetUp() override { slice_.run(samples); }
+  // The kernel learns from other groups than its own.
+  void SetUp() override {
+    slice_.run(samples);
+    SeedSlice<Flat> slice(space_, seed, group + 1, chains);
+    slice.run(samples);
+    others_.merge(slice.tally());
+    family_.learn(others_);
+  }
 
   FlatScene scene_ = build(diffuse_room());
   Flat space_{*scene_, Roulette::off};
   Family family_ = make_family({}, scene_->max_vertices());
   SeedSlice<Flat> slice_{space_, seed, group, chains};
+  SeedTally others_{space_.max_vertices()};
 };
 
 // 107 steps of three chains are 36, 36 and 35, whatever the rounds that they are made in.
-TEST_F(Group, MakesTheStepsOfItsOwnStreams) {
+TEST_F(PathGroups, MakesTheStepsOfItsOwnStreams) {
   GroupsFilm expected({scene_->bins()}), actual({scene_->bins()});
   MutationStatistics expected_statistics(Family::names, scene_->bins());
   MutationStatistics actual_statistics(Family::names, scene_->bins());
@@ -50,9 +58,9 @@ TEST_F(Group, MakesTheStepsOfItsOwnStreams) {
     run_chain(k, steps, film, expected_statistics);
   expected.add(film, slice_.tally().mean(), 107);
 
-  ChainGroup<Flat, Family> made(space_, family_, seed, group, chains);
+  PathGroup<Flat, Family> made(space_, make_family({}, space_.max_vertices()), seed, group, chains);
   made.add_seeds(samples);
-  made.start_chains();
+  made.start_chains(others_);
   for (const std::uint64_t round : {2u, 98u, 7u}) made.advance(round);
   EXPECT_EQ(made.steps(), 107u);
   made.deliver(actual, actual_statistics);
