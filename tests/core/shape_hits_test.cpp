@@ -58,6 +58,17 @@ TEST(Segments, ShareAnEndWithoutGapOrOverlap) {
   }
 }
 
+TEST(Segments, HaveTheirEndsInTheFirstAndTheLastBin) {
+  const Point2 from(0.1, 0.2), to(0.7, 1.3);
+  const Segment<Flatland> segment(from, to);
+  EXPECT_EQ(segment.parameter(from)[0], 0);
+  EXPECT_EQ(segment.parameter(from - (to - from))[0], 0);
+  for (const Point2& end : {to, 2.0 * to - from}) {
+    EXPECT_LT(segment.parameter(end)[0], 1);
+    EXPECT_GT(segment.parameter(end)[0], 1 - 1e-15);
+  }
+}
+
 TEST(Segments, BehaveTheSameTurnedByAQuarter) {
   Generator g(2);
   for (int i = 0; i < 10'000; ++i) {

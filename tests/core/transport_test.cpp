@@ -127,14 +127,23 @@ TEST_F(Connections, NeedTwoPointsThatFaceEachOther) {
   EXPECT_EQ(connect(below(0), corner), Connection::facing_away);  // the same, on another shape
 }
 
-// The end of a connection lies within rounding of its surface, on either side.
+// The ends of a connection lie within rounding of their surfaces, on either side.
 TEST_F(Connections, AreNotBlockedByTheSurfacesThatTheyEndOn) {
+  SceneMaker maker(2);
+  maker.segment({0, 0.1}, {4, 0.3}, {.bins = 1}).segment({3.7, 2.1}, {0, 1.7}, {.radiance = 1});
+  maker.circle({7, 1.1}, 0.3, {});
+  scene_ = maker.build();
   Rng random(1, Purpose::test, 1);
+  const auto point_on = [&](ShapeId id) {
+    const double u = random.uniform();
+    const auto p = visit_shape([u](const auto& s) { return s.sample({u}); }, scene_->shape(id));
+    return Place2{p.position, p.normal, {}, id};
+  };
   for (int i = 0; i < 10'000; ++i) {
-    const double from = 2 + 2 * random.uniform(), to = 2 + 2 * random.uniform();
-    const Place2 a = above(from), b = below(to);
-    ASSERT_EQ(connect(a, b), Connection::open) << from << " " << to;
-    ASSERT_EQ(connect(b, a), Connection::open) << from << " " << to;
+    const Place2 a = point_on(0), b = point_on(1), c = point_on(2);
+    ASSERT_EQ(connect(a, b), Connection::open);
+    ASSERT_EQ(connect(b, a), Connection::open);
+    if (glm::dot(b.position - c.position, c.normal) > 0) ASSERT_EQ(connect(b, c), Connection::open);
   }
 }
 
