@@ -2,11 +2,9 @@
 import os
 import re
 import subprocess
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-sys.dont_write_bytecode = True
 FOLDER = Path(__file__).resolve().parent
 REPOSITORY = FOLDER.parent.parent
 TESTS = REPOSITORY / "tests"
