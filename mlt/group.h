@@ -9,6 +9,7 @@
 #include <concepts>
 
 #include "mlt/deposit.h"
+#include "mlt/functionals.h"
 #include "mlt/seed_pass.h"
 #include "mlt/statistics.h"
 
@@ -16,7 +17,7 @@ namespace wander {
 
 template <class G>
 concept Group = requires(G& group, const G& made, std::uint64_t count, const SeedTally& others,
-                         GroupsFilm& film, MutationStatistics& statistics) {
+                         GroupsFilm& film, MutationStatistics& statistics, ChainDraws& draws) {
   group.add_seeds(count);
   { made.tally() } -> std::same_as<const SeedTally&>;
   // After the seed pass; `others`: what all other groups found.
@@ -26,7 +27,7 @@ concept Group = requires(G& group, const G& made, std::uint64_t count, const See
   group.advance(count);  // makes so many more steps, of all chains together
   { made.steps() } -> std::same_as<std::uint64_t>;
   { made.chains() } -> std::same_as<int>;
-  made.deliver(film, statistics);
+  made.deliver(film, statistics, draws);
   G::move_names();  // of what its statistics count
 };
 
@@ -44,7 +45,7 @@ class SeededGroup {
       : space_(space),
         slice_(space, seed, group, seeds),
         film_(space.scene().bins(), space.max_vertices()),
-        statistics_(moves, space.scene().bins()) {}
+        statistics_(moves, space.scene().bins(), space.max_vertices()) {}
 
   // step(k) for chain k, so often that the steps are shared evenly by `chains` of them.
   template <class Step>

@@ -77,6 +77,7 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
           {sampler,
            PrimaryChain<MultiplexedSampler<Space>, SmallStep>(sampler, kernel_),
            Rng(seed_, Purpose::chain, static_cast<std::uint32_t>(group_ * chains() + k)),
+           RejectionRuns(primary_move_names.size()),
            0,
            {this->tally().mean(n), others.mean(n), kernel_.large_step},
            scale});
@@ -90,7 +91,8 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
     steps_ += steps;
   }
 
-  void deliver(GroupsFilm& film, MutationStatistics& statistics) const {
+  // Its chains have nothing in common that could be compared: each has a length of its own.
+  void deliver(GroupsFilm& film, MutationStatistics& statistics, ChainDraws&) const {
     if (steps_ == 0) return film.add_dark_group();
     film.add(film_, 1, steps_);
     statistics.merge(statistics_);
@@ -108,6 +110,7 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
     MultiplexedSampler<Space> sampler;
     PrimaryChain<MultiplexedSampler<Space>, SmallStep> chain;
     Rng random;
+    RejectionRuns runs;
     std::uint64_t steps;
     PrimaryConstants constants;
     double scale;  // 1 / q_n
@@ -124,19 +127,25 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
   }
 
   void step(Member& member) {
-    member.random.start(member.steps++);
-    member.chain.step(member.sampler, member.random,
-                      [&](const PrimaryStep<MultiplexedPath<W>>& step) {
-                        PrimaryDeposit weights = Estimator::deposit(step, member.constants);
-                        weights.current *= member.scale;
-                        weights.proposed *= member.scale;
-                        deposit(step, weights, film_);
-                        observe(step);
-                      });
+    member.random.start(member.steps);
+    statistics_.timed(member.steps++, [&] {
+      int move = 0;
+      member.chain.step(
+          member.sampler, member.random, [&](const PrimaryStep<MultiplexedPath<W>>& step) {
+            PrimaryDeposit weights = Estimator::deposit(step, member.constants);
+            weights.current *= member.scale;
+            weights.proposed *= member.scale;
+            deposit(step, weights, film_);
+            statistics_.observe(
+                primary_observation(step, features_of(step.current), features_of(step.proposed)),
+                member.runs);
+            move = step.mutation();
+          });
+      return move;
+    });
   }
-  void observe(const PrimaryStep<MultiplexedPath<W>>& step) {
-    const int bin = step.current.total > 0 ? step.current.bin : MutationStatistics::no_bin;
-    statistics_.observe(step.mutation(), step.reason, step.acceptance, bin);
+  Features features_of(const MultiplexedPath<W>& sample) const {
+    return sample.total > 0 ? features(space_, sample.path) : Features{};
   }
 
   Kernel kernel_;

@@ -29,7 +29,7 @@ class PathGroup : public SeededGroup<Space, PathSeeds> {
       const Path<W> path = slice_.replay(slice_.seed(k), space_.max_vertices());
       chains_.push_back({Chain<Space, Kernel>(space_, kernel_, path),
                          Rng(seed_, Purpose::chain, static_cast<std::uint32_t>(first_chain_ + k)),
-                         space_.bin(path), 0});
+                         features(space_, path), RejectionRuns(Kernel::count)});
     }
   }
 
@@ -37,10 +37,11 @@ class PathGroup : public SeededGroup<Space, PathSeeds> {
     this->share_evenly(steps, chains_.size(), [&](std::uint64_t k) { step(chains_[k]); });
   }
 
-  void deliver(GroupsFilm& film, MutationStatistics& statistics) const {
+  void deliver(GroupsFilm& film, MutationStatistics& statistics, ChainDraws& draws) const {
     if (steps_ == 0) return film.add_dark_group();
     film.add(film_, this->tally().mean(), steps_);
     statistics.merge(statistics_);
+    for (const Member& member : chains_) draws.add(member.draws);
   }
 
  private:
@@ -54,17 +55,25 @@ class PathGroup : public SeededGroup<Space, PathSeeds> {
   struct Member {
     Chain<Space, Kernel> chain;
     Rng random;
-    int bin;  // where the current path meets the film
-    std::uint64_t steps;
+    Features current;
+    RejectionRuns runs;
+    ThinnedDraws draws{};
+    std::uint64_t steps = 0;
   };
 
   void step(Member& member) {
-    member.random.start(member.steps++);
-    member.chain.step(member.random, [&](const Step<W>& step) {
-      deposit(space_, step, member.bin, film_);
-      statistics_.observe(step, member.bin);
-      if (step.accepted()) member.bin = space_.bin(step.proposed);
+    member.random.start(member.steps);
+    statistics_.timed(member.steps++, [&] {
+      int mutation = 0;
+      member.chain.step(member.random, [&](const Step<W>& step) {
+        deposit(space_, step, member.current.bin, film_);
+        statistics_.observe(observation(space_, step, member.current), member.runs);
+        if (step.accepted()) member.current = features(space_, step.proposed);
+        mutation = step.mutation;
+      });
+      return mutation;
     });
+    member.draws.offer([&] { return functionals(space_, member.chain.current()); });
   }
 
   Kernel kernel_;

@@ -23,6 +23,7 @@
 
 #include "mlt/chain.h"
 #include "mlt/primary_numbers.h"
+#include "mlt/statistics.h"
 
 namespace wander {
 
@@ -50,6 +51,15 @@ struct PrimaryStep {
   bool accepted() const { return reason == Reason::none; }
   int mutation() const { return static_cast<int>(move); }
 };
+
+// For the statistics, with what stands for the states x and y.
+template <class Sample>
+Observation primary_observation(const PrimaryStep<Sample>& step, const Features& x,
+                                const Features& y) {
+  const bool moves = step.acceptance > 0 && !x.is_dark();
+  return {step.mutation(), step.reason, step.acceptance, x,
+          moves ? step.acceptance * squared_jump(x, y) : 0};
+}
 
 // A sampler S has
 //   S::W, S::Sample     the world; what it makes, with `total` = C* and, where that is 0, a `flaw`

@@ -32,7 +32,7 @@ class PssmltGroup : public SeededGroup<Space, SampleSeeds> {
     for (int k = 0; k < chain_count_; ++k) {
       chains_.push_back({PrimaryChain<SplatSampler<Space>, SmallStep>(sampler_, kernel_),
                          Rng(seed_, Purpose::chain, static_cast<std::uint32_t>(first_chain_ + k)),
-                         0});
+                         RejectionRuns(primary_move_names.size())});
       if (slice_.found_light()) start(chains_.back(), slice_.seed(k));
     }
   }
@@ -41,10 +41,12 @@ class PssmltGroup : public SeededGroup<Space, SampleSeeds> {
     this->share_evenly(steps, chains_.size(), [&](std::uint64_t k) { step(chains_[k]); });
   }
 
-  void deliver(GroupsFilm& film, MutationStatistics& statistics) const {
+  void deliver(GroupsFilm& film, MutationStatistics& statistics, ChainDraws& draws) const {
     if (steps_ == 0) return film.add_dark_group();
     film.add(film_, 1, steps_);
     statistics.merge(statistics_);
+    if (!slice_.found_light()) return;  // chains that began in the dark have draws of nothing
+    for (const Member& member : chains_) draws.add(member.draws);
   }
 
  private:
@@ -57,7 +59,9 @@ class PssmltGroup : public SeededGroup<Space, SampleSeeds> {
   struct Member {
     PrimaryChain<SplatSampler<Space>, SmallStep> chain;
     Rng random;
-    std::uint64_t steps;
+    RejectionRuns runs;
+    ThinnedDraws draws{};
+    std::uint64_t steps = 0;
   };
 
   // The sample of a seed, whose total must come out as it was, bit for bit.
@@ -68,16 +72,21 @@ class PssmltGroup : public SeededGroup<Space, SampleSeeds> {
   }
 
   void step(Member& member) {
-    member.random.start(member.steps++);
-    member.chain.step(sampler_, member.random, [&](const PrimaryStep<SampleSplats>& step) {
-      deposit(step, Estimator::deposit(step, constants_), film_);
-      observe(step);
+    member.random.start(member.steps);
+    statistics_.timed(member.steps++, [&] {
+      int move = 0;
+      member.chain.step(sampler_, member.random, [&](const PrimaryStep<SampleSplats>& step) {
+        deposit(step, Estimator::deposit(step, constants_), film_);
+        statistics_.observe(
+            primary_observation(step, step.current.brightest(), step.proposed.brightest()),
+            member.runs);
+        move = step.mutation();
+      });
+      return move;
     });
-  }
-  void observe(const PrimaryStep<SampleSplats>& step) {
-    const int bin =
-        step.current.total > 0 ? step.current.brightest().bin : MutationStatistics::no_bin;
-    statistics_.observe(step.mutation(), step.reason, step.acceptance, bin);
+    if (!slice_.found_light()) return;
+    const SampleSplats& current = member.chain.current();
+    member.draws.offer([&] { return functionals(current.brightest(), std::log(current.total)); });
   }
 
   Kernel kernel_;

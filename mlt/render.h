@@ -12,6 +12,7 @@
 #include "mlt/group.h"
 #include "mlt/normalization.h"
 #include "mlt/path_group.h"
+#include "mlt/warnings.h"
 
 namespace wander {
 
@@ -25,7 +26,12 @@ struct ChainSettings {
 // No sample of the seed pass found a path from a light to the sensor.
 class NoLightFound : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit NoLightFound(std::uint64_t samples)
+      : std::runtime_error(
+            "the seed pass tried " + std::to_string(samples) +
+            " bidirectional samples and found no light path from a light to the sensor, so no "
+            "chain can start; look for walls without a gap, a light or sensor that faces away, or "
+            "a max_vertices that is too small") {}
 };
 
 // `Chains` is a Group, made of a space and the kernel of its chains.
@@ -45,7 +51,7 @@ class ChainRenderer {
     seed_pass();
     const double seed_seconds = run_.seconds();
     const SeedTally tally = merged_tally();
-    if (!(tally.total.value() > 0)) throw NoLightFound(no_light(tally.samples));
+    if (!(tally.total.value() > 0)) throw NoLightFound(tally.samples);
     start_chains();
     run_chains();
     return rendering(method, tally, seed_seconds);
@@ -137,9 +143,11 @@ class ChainRenderer {
     Rendering r;
     const auto resolution = space_.scene().resolution();
     GroupsFilm film({resolution.begin(), resolution.end()});
-    MutationStatistics statistics(Chains::move_names(), space_.scene().bins());
+    MutationStatistics statistics(Chains::move_names(), space_.scene().bins(),
+                                  space_.max_vertices());
+    ChainDraws draws;
     for (const auto& group : groups_) {
-      group->deliver(film, statistics);
+      group->deliver(film, statistics, draws);
       r.chains += group->chains();
     }
     const auto* budget = std::get_if<SampleBudget>(&session_.budget);
@@ -153,27 +161,17 @@ class ChainRenderer {
     r.film = film.estimate();
     r.normalization = normalization(tally);
     r.groups = settings_.groups;
+    ChainsRecord chains;
+    if (draws.chains() > 0) {
+      chains = diagnostics(draws);
+      chains.longest_rejection_run = statistics.longest_rejection_run();
+      r.chains_record = chains;
+    }
     r.mutations = statistics.records();
-    r.warnings = warnings(tally, r.film);
+    if (rests_on_few_samples(tally)) r.film.reliable.assign(r.film.reliable.size(), false);
+    r.warnings = warnings(
+        {tally, draws, chains, statistics, static_cast<std::size_t>(settings_.chains_per_group)});
     return r;
-  }
-
-  // A seed pass that few samples carry has not seen what it may have missed.
-  static std::vector<std::string> warnings(const SeedTally& tally, FilmEstimate& film) {
-    const auto carried = static_cast<int>(tally.effective_samples());
-    if (carried >= static_cast<int>(fewest_effective_samples)) return {};
-    film.reliable.assign(film.reliable.size(), false);
-    return {"the seed pass rests on about " + std::to_string(carried) + " of " +
-            std::to_string(tally.samples) +
-            " samples: a rare event carries the light, so no error bar is trusted; a larger budget "
-            "makes a longer seed pass"};
-  }
-
-  static std::string no_light(std::uint64_t samples) {
-    return "the seed pass tried " + std::to_string(samples) +
-           " bidirectional samples and found no light path from a light to the sensor, so no chain "
-           "can start; look for walls without a gap, a light or sensor that faces away, or a "
-           "max_vertices that is too small";
   }
 
   const Space& space_;

@@ -6,12 +6,12 @@
 
 #include "core/path_sampler.h"
 #include "mlt/primary_numbers.h"
-#include "mlt/proposal.h"
+#include "mlt/statistics.h"
 
 namespace wander {
 
 struct Splat {
-  int vertices = 0, bin = 0;
+  Features features{};
   double weight = 0;  // w f / p
 };
 
@@ -29,12 +29,12 @@ struct SampleSplats {
   // f(splat, its share of C*)
   template <class F>
   void for_each_share(F&& f) const {
-    for (const Splat& s : splats) f(s.vertices, s.bin, s.weight / total);
+    for (const Splat& s : splats) f(s.features.vertices, s.features.bin, s.weight / total);
   }
-  // Which splat stands for all where one must; total > 0.
-  const Splat& brightest() const {
-    return *std::max_element(splats.begin(), splats.end(),
-                             [](const Splat& a, const Splat& b) { return a.weight < b.weight; });
+  // Of the brightest splat, which stands for all where one must; dark if there is none.
+  Features brightest() const {
+    const auto found = std::ranges::max_element(splats, {}, &Splat::weight);
+    return found == splats.end() ? Features{} : found->features;
   }
 };
 
@@ -58,7 +58,7 @@ class SplatSampler {
     sample.splats.clear();
     sample.total = 0;
     sampler_.sample(random, [&](const Path<W>& x, int, double weight) {
-      sample.splats.push_back({x.size(), space_.bin(x), weight});
+      sample.splats.push_back({features(space_, x), weight});
       sample.total += weight;
     });
     sample.flaw = sample.total > 0 ? Reason::none : Reason::zero_contribution;

@@ -23,8 +23,8 @@ namespace wander {
 
 // How far a perturbation goes.
 struct PerturbationRange {
-  LogUniform position{1e-4, 0.1};  // as a share of the film, or of the light's extent
-  LogUniform angle{1e-4, 0.1};     // radians
+  LogUniform position{1e-4, 0.5};  // as a share of the film, or of the light's extent
+  LogUniform angle{1e-5, 0.1};     // radians
 };
 
 struct Stretch {

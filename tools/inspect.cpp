@@ -1,4 +1,4 @@
-// `wander inspect`: what a scene requires, or what a run holds and how good it is.
+// `wander inspect`: what a scene requires, or what a run or a trajectory holds.
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/output/run_json.h"
+#include "core/output/trajectory_netcdf.h"
 #include "tools/console.h"
 #include "tools/failure.h"
 #include "tools/inspection.h"
@@ -35,6 +36,14 @@ ExitCode show_run(const RunRecord& run, const InspectOptions& options, const Glo
   return ExitCode::ok;
 }
 
+ExitCode show_trajectory(const TrajectoryRecord& record, const Global& global) {
+  if (global.json)
+    print_json(inspect_trajectory(record));
+  else
+    print_data(text_of_trajectory(record));
+  return ExitCode::ok;
+}
+
 ExitCode show_scene(const SceneDocument& scene, const InspectOptions& options,
                     const Global& global) {
   const nlohmann::ordered_json document = inspect_scene(scene);
@@ -55,6 +64,9 @@ ExitCode inspect(const InspectOptions& options, const Global& global) {
     throw RunFileError(options.file + ": a directory without a run.json");
   if (!options.reference.empty())
     throw UsageError("--reference compares two runs, and " + options.file + " is not a run");
+  if (!in_gallery)
+    if (const auto trajectory = find_trajectory(options.file))
+      return show_trajectory(*trajectory, global);
   return show_scene(open_scene(options.file), options, global);
 }
 
@@ -62,9 +74,11 @@ ExitCode inspect(const InspectOptions& options, const Global& global) {
 
 void add_inspect(CLI::App& app, Global& global) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* verb = app.add_subcommand("inspect", "say what a scene requires or what a run holds");
-  verb->add_option("FILE", options->file,
-                   "a scene file, gallery:NAME, a run.json, its directory, or a film.exr")
+  CLI::App* verb =
+      app.add_subcommand("inspect", "say what a scene requires, or what a run or trajectory holds");
+  verb->add_option(
+          "FILE", options->file,
+          "a scene file, gallery:NAME, a run.json, its directory, a film.exr, or a trajectory")
       ->type_name("")
       ->required();
   verb->add_option("--reference", options->reference, "hold the run against this one")
@@ -72,7 +86,8 @@ void add_inspect(CLI::App& app, Global& global) {
   add_global_options(*verb, global);
   verb->footer(
       "\nExamples:\n  wander inspect scene.json --json\n"
-      "  wander inspect run --reference reference/run.json");
+      "  wander inspect run --reference reference/run.json\n"
+      "  wander inspect chains.nc");
   verb->callback([options, &global] {
     global.job = [options, &global] { return inspect(*options, global); };
   });

@@ -44,7 +44,9 @@ void leave_out_what_an_image_lacks(ordered_json& json) {
   for (const char* key : {"threads", "seconds", "seed_seconds", "precision"}) json.erase(key);
   if (!json.contains("mutations")) return;
   for (ordered_json& mutation : json["mutations"])
-    for (const char* key : {"accepted", "failures"}) mutation.erase(key);
+    for (const char* key : {"accepted", "failures", "seconds", "squared_jump",
+                            "longest_rejection_run", "by_length", "by_class"})
+      mutation.erase(key);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// What `wander inspect` has to say about a scene or a run: a JSON document for programs, the same
-// in a dozen lines for people.
+// What `wander inspect` has to say about a scene, a run or a trajectory: a JSON document for
+// programs, the same in a dozen lines for people.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/output/run_record.h"
+#include "core/output/trajectory_record.h"
 #include "core/scene_file.h"
 
 namespace wander {
@@ -21,5 +22,8 @@ nlohmann::ordered_json compare_runs(const RunRecord& run, const RunRecord& refer
 nlohmann::ordered_json inspect_run(const RunRecord& run);
 std::string text_of_run(const RunRecord& run);
 std::string text_of_comparison(const nlohmann::ordered_json& comparison);
+
+nlohmann::ordered_json inspect_trajectory(const TrajectoryRecord& record);
+std::string text_of_trajectory(const TrajectoryRecord& record);
 
 }  // namespace wander

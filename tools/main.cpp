@@ -29,7 +29,8 @@ constexpr const char* introduction =
     "  wander gallery                                   which scenes come with the program\n"
     "  wander inspect gallery:NAME                      what a scene requires\n"
     "  wander render gallery:NAME -m mlt -b 5s -o run   the light on its sensor, with error bars\n"
-    "  wander plot run/run.json -o film.svg             the result as a figure\n";
+    "  wander plot run/run.json -o film.svg             the result as a figure\n"
+    "  wander trace gallery:NAME -o chains.nc           every step of some Markov chains\n";
 
 std::string exit_code_table() {
   std::string text = "Exit codes:\n";
@@ -48,6 +49,7 @@ void build(CLI::App& app, Global& global) {
   app.require_subcommand(1);
   add_global_options(app, global);
   add_render(app, global);
+  add_trace(app, global);
   add_inspect(app, global);
   add_gallery(app, global);
   add_plot(app, global);

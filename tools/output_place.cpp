@@ -57,6 +57,16 @@ void require_replaceable(const fs::path& file, const Global& global) {
   throw UsageError(fmt::format("{} exists; add --force to replace it", file.string()));
 }
 
+void require_writable_directory(const fs::path& file) {
+  const fs::path directory = directory_of(file);
+  std::error_code ignored;
+  const fs::file_status status = fs::status(file, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status)) return;
+  if (fs::exists(directory, ignored) && !fs::is_directory(directory, ignored))
+    throw OutputError(file.string(), ENOTDIR);
+  if (access(directory.c_str(), W_OK | X_OK) != 0) throw OutputError(file.string(), errno);
+}
+
 OutputDirectory::OutputDirectory(const fs::path& path, const Global& global)
     : path_(without_trailing_slash(path)) {
   std::error_code error;

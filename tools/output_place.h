@@ -11,6 +11,9 @@ namespace wander {
 // Throws UsageError if `file` exists and may not be replaced.  Allowed are --force, pipes and
 // devices, and files beside a run that the program itself wrote.
 void require_replaceable(const std::filesystem::path& file, const Global& global);
+// Throws OutputError if no file can be made in the directory of `file`; pipes and devices need
+// none.
+void require_writable_directory(const std::filesystem::path& file);
 
 // The directory of a run, made when this object is and gone again with it if nothing was written.
 class OutputDirectory {

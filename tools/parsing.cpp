@@ -136,6 +136,20 @@ int parse_max_vertices(std::string_view text) {
   return number_between("--max-vertices", text, 2, 100000);
 }
 
+std::uint64_t parse_count(std::string_view what, std::string_view text, std::uint64_t low,
+                          std::uint64_t high) {
+  return number_between(what, text, low, high);
+}
+
+std::pair<std::uint64_t, std::uint64_t> parse_pair(std::string_view what, std::string_view text) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 53;
+  const std::vector<std::string_view> parts = split(text, ':');
+  if (parts.size() != 2)
+    throw UsageError(
+        fmt::format("{} '{}': allowed are two whole numbers with a colon between", what, text));
+  return {parse_count(what, parts[0], 0, most), parse_count(what, parts[1], 0, most)};
+}
+
 ProgressMode parse_progress(std::string_view text) {
   constexpr std::array<std::string_view, 4> words{"auto", "bar", "json", "none"};
   constexpr std::array modes{ProgressMode::automatic, ProgressMode::bar, ProgressMode::json,

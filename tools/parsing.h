@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "core/session.h"
 #include "tools/methods.h"
@@ -28,6 +29,11 @@ const MethodName& parse_method(std::string_view text);
 std::uint64_t parse_seed(std::string_view text);
 int parse_threads(std::string_view text);
 int parse_max_vertices(std::string_view text);
+// A whole number from `low` to `high`; `what` names it in the message.
+std::uint64_t parse_count(std::string_view what, std::string_view text, std::uint64_t low,
+                          std::uint64_t high);
+// `A:B`, two whole numbers from 0 to 2^53.
+std::pair<std::uint64_t, std::uint64_t> parse_pair(std::string_view what, std::string_view text);
 ProgressMode parse_progress(std::string_view text);
 
 // The arguments as one line that a shell reads back to the same words.

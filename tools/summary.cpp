@@ -48,6 +48,25 @@ std::string normalization_lines(const Normalization& normalization) {
   return text;
 }
 
+std::string number(double x, const char* unit) {
+  return std::isnan(x) ? "-" : count_in_words(x) + unit;
+}
+
+// What is the same in all states has no diagnostics.
+std::string chain_lines(const ChainsRecord& chains, double seconds) {
+  std::string text = fmt::format("  {:<15} {:>10} {:>11} {:>9} {:>10}  autocorrelation\n", "chains",
+                                 "R-hat", "ESS bulk", "tail", "ESS/s");
+  for (const FunctionalRecord& f : chains.functionals) {
+    if (std::isnan(f.r_hat) && std::isnan(f.ess_bulk)) continue;
+    text +=
+        fmt::format("    {:<13} {:>10} {:>11} {:>9} {:>10}  {}\n", f.name,
+                    std::isnan(f.r_hat) ? "-" : fmt::format("{:.3f}", f.r_hat),
+                    number(f.ess_bulk, ""), number(f.ess_tail, ""),
+                    number(f.ess_bulk / seconds, ""), number(f.autocorrelation_time, " mutations"));
+  }
+  return text;
+}
+
 // The commonest reasons, as shares of all proposals.
 std::string refusals(const MutationRecord& mutation) {
   constexpr std::size_t most_reasons = 3;
@@ -64,6 +83,8 @@ std::string refusals(const MutationRecord& mutation) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+}  // namespace
+
 std::string mutation_lines(const std::vector<MutationRecord>& mutations) {
   std::string text =
       fmt::format("  {:<15} {:>10} {:>11}  refused for\n", "mutation", "proposed", "acceptance");
@@ -74,11 +95,10 @@ std::string mutation_lines(const std::vector<MutationRecord>& mutations) {
   return text;
 }
 
-}  // namespace
-
 std::string summary_of(const Rendering& rendering) {
   std::string text = work_line(rendering) + film_lines(rendering.film);
   if (rendering.normalization) text += normalization_lines(*rendering.normalization);
+  if (rendering.chains_record) text += chain_lines(*rendering.chains_record, rendering.seconds);
   if (!rendering.mutations.empty()) text += mutation_lines(rendering.mutations);
   return text;
 }

@@ -8,5 +8,7 @@
 namespace wander {
 
 std::string summary_of(const Rendering& rendering);
+// The table of its mutations alone.
+std::string mutation_lines(const std::vector<MutationRecord>& mutations);
 
 }  // namespace wander

@@ -45,6 +45,7 @@ struct Global {
 void add_global_options(CLI::App& verb, Global& global);
 
 void add_render(CLI::App& app, Global& global);
+void add_trace(CLI::App& app, Global& global);
 void add_inspect(CLI::App& app, Global& global);
 void add_gallery(CLI::App& app, Global& global);
 void add_plot(CLI::App& app, Global& global);

@@ -217,8 +217,8 @@ Rendering rendering_of(const Imf::Header& header, const Planes& planes, Size siz
   rendering.seed = count_in(header, "seed");
   rendering.seconds = rendering.seed_seconds = std::numeric_limits<double>::quiet_NaN();
   FilmEstimate& film = rendering.film;
-  film.shape =
-      dimension_in(header) == 2 ? std::vector{size.width} : std::vector{size.height, size.width};
+  film.shape = dimension_in(header) == 2 && size.height == 1 ? std::vector{size.width}
+                                                             : std::vector{size.height, size.width};
   film.value = values_of(planes, "Y");
   film.standard_error = values_of(planes, "standard_error.Y");
   for (const double flag : values_of(planes, "reliable.Y")) film.reliable.push_back(flag != 0);

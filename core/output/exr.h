@@ -1,5 +1,6 @@
 // `film.exr`: the film and everything known per bin as named channels of 32-bit floats, and what
-// made it as header attributes.  A film in two dimensions is an image of height 1.
+// made it as header attributes.  A film in two dimensions is an image of height 1,
+// and a picture over the plane is an image with its rows from the top.
 //
 //   Y, standard_error.Y, reliable.Y (1 or 0)   the estimate
 //   vertices_N.Y                               its part from paths of N vertices

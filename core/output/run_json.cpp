@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <iterator>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -59,98 +59,66 @@ ordered_json json_of(const Normalization& normalization) {
   return json;
 }
 
-ordered_json json_of(const std::vector<MutationRecord>& mutations) {
+// Every functional by its name.
+ordered_json json_of(const std::vector<FunctionalRecord>& functionals,
+                     const std::function<ordered_json(const FunctionalRecord&)>& value) {
   ordered_json json = ordered_json::object();
-  for (const MutationRecord& mutation : mutations)
-    json[mutation.name] = {{"proposed", mutation.proposed},
-                           {"accepted", mutation.accepted},
-                           {"mean_acceptance", json_of(mutation.mean_acceptance)},
-                           {"failures", mutation.failures}};
+  for (const FunctionalRecord& functional : functionals) json[functional.name] = value(functional);
   return json;
 }
 
-// ---- and back
-
-double number_from(const ordered_json& json) {
-  return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
+ordered_json chains_of(const Rendering& rendering) {
+  ordered_json json{{"count", rendering.chains}, {"groups", rendering.groups}};
+  if (!rendering.chains_record) return json;
+  const ChainsRecord& chains = *rendering.chains_record;
+  json["draws"] = chains.draws;
+  json["stride"] = chains.stride;
+  json["longest_rejection_run"] = chains.longest_rejection_run;
+  json["r_hat"] = json_of(chains.functionals, [](const auto& f) { return json_of(f.r_hat); });
+  json["ess"] = json_of(chains.functionals, [](const auto& f) {
+    return ordered_json{{"bulk", json_of(f.ess_bulk)}, {"tail", json_of(f.ess_tail)}};
+  });
+  json["ess_per_second"] = json_of(
+      chains.functionals, [&](const auto& f) { return json_of(f.ess_bulk / rendering.seconds); });
+  json["integrated_autocorrelation"] =
+      json_of(chains.functionals, [](const auto& f) { return json_of(f.autocorrelation_time); });
+  return json;
 }
 
-std::vector<double> numbers_from(const ordered_json& json) {
-  std::vector<double> values;
-  for (const ordered_json& value : json) values.push_back(number_from(value));
-  return values;
+// Of a mutation, and of its part by length or class.
+template <class Record>
+ordered_json outcomes_of(const Record& record) {
+  return {{"proposed", record.proposed},
+          {"accepted", record.accepted},
+          {"mean_acceptance", json_of(record.mean_acceptance)},
+          {"failures", record.failures}};
 }
 
-template <class E>
-E estimate_from(const ordered_json& json) {
-  E estimate;
-  estimate.value = number_from(json.at("value"));
-  estimate.standard_error = number_from(json.at("standard_error"));
-  return estimate;
-}
-
-FilmEstimate film_from(const ordered_json& json) {
-  FilmEstimate film;
-  film.shape = json.at("shape").get<std::vector<int>>();
-  film.value = numbers_from(json.value("value", ordered_json::array()));
-  film.standard_error = numbers_from(json.value("standard_error", ordered_json::array()));
-  film.reliable = json.value("reliable", std::vector<bool>{});
-  film.degrees_of_freedom = number_from(json.at("degrees_of_freedom"));
-  if (film.standard_error.size() != film.value.size() || film.reliable.size() != film.value.size())
-    throw std::runtime_error("the film's lists differ in length");
-  return film;
-}
-
-Normalization normalization_from(const ordered_json& json) {
-  auto normalization = estimate_from<Normalization>(json);
-  normalization.method = json.at("method");
-  for (const auto& [name, entry] : json.at("estimates").items()) {
-    auto estimate = estimate_from<NormalizationEstimate>(entry);
-    estimate.samples = entry.at("samples");
-    normalization.estimates[name] = estimate;
+ordered_json json_of(const std::vector<PathsRecord>& records) {
+  ordered_json json = ordered_json::array();
+  for (const PathsRecord& record : records) {
+    ordered_json& entry = json.emplace_back();
+    if (record.path_class.empty()) {
+      entry["vertices"] = record.vertices;
+    } else {
+      entry["class"] = record.path_class;
+    }
+    entry.update(outcomes_of(record));
   }
-  for (const ordered_json& entry : json.at("by_length")) {
-    auto share = estimate_from<LengthShare>(entry);
-    share.vertices = entry.at("vertices");
-    normalization.by_length.push_back(share);
-  }
-  return normalization;
+  return json;
 }
 
-std::vector<MutationRecord> mutations_from(const ordered_json& json) {
-  std::vector<MutationRecord> mutations;
-  for (const auto& [name, entry] : json.items()) {
-    MutationRecord mutation;
-    mutation.name = name;
-    mutation.proposed = entry.at("proposed");
-    mutation.accepted = entry.at("accepted");
-    mutation.mean_acceptance = number_from(entry.at("mean_acceptance"));
-    mutation.failures = entry.at("failures").get<decltype(mutation.failures)>();
-    mutations.push_back(std::move(mutation));
+ordered_json json_of(const std::vector<MutationRecord>& mutations) {
+  ordered_json json = ordered_json::object();
+  for (const MutationRecord& mutation : mutations) {
+    ordered_json& entry = json[mutation.name] = outcomes_of(mutation);
+    entry["seconds"] = json_of(mutation.seconds);
+    entry["squared_jump"] = json_of(mutation.squared_jump);
+    entry["longest_rejection_run"] = mutation.longest_rejection_run;
+    entry["by_length"] = json_of(mutation.by_length);
+    entry["by_class"] = json_of(mutation.by_class);
   }
-  return mutations;
-}
-
-Rendering rendering_from(const ordered_json& json) {
-  Rendering rendering;
-  rendering.complete = json.at("complete");
-  rendering.method = json.at("method");
-  rendering.samples = json.at("samples");
-  rendering.seed = json.at("seed");
-  rendering.threads = json.at("threads");
-  rendering.seconds = number_from(json.at("seconds"));
-  rendering.seed_seconds = number_from(json.at("seed_seconds"));
-  rendering.precision = json.at("precision");
-  rendering.film = film_from(json.at("film"));
-  if (json.contains("normalization"))
-    rendering.normalization = normalization_from(json["normalization"]);
-  if (json.contains("chains")) {
-    rendering.chains = json["chains"].at("count");
-    rendering.groups = json["chains"].at("groups");
-  }
-  if (json.contains("mutations")) rendering.mutations = mutations_from(json["mutations"]);
-  rendering.warnings = json.at("warnings").get<std::vector<std::string>>();
-  return rendering;
+  return json;
 }
 
 std::string read_text(const std::filesystem::path& path) {
@@ -183,30 +151,12 @@ ordered_json to_json(const RunRecord& run) {
                     {"precision", rendering.precision},
                     {"film", json_of(rendering.film, provenance.dimension)}};
   if (rendering.normalization) json["normalization"] = json_of(*rendering.normalization);
-  if (rendering.chains > 0)
-    json["chains"] = {{"count", rendering.chains}, {"groups", rendering.groups}};
+  if (rendering.chains > 0) json["chains"] = chains_of(rendering);
   if (!rendering.mutations.empty()) json["mutations"] = json_of(rendering.mutations);
   json["command_line"] = provenance.command_line;
   json["version"] = provenance.version;
   json["warnings"] = rendering.warnings;
   return json;
-}
-
-RunRecord run_from_json(const ordered_json& document, const std::string& place) {
-  try {
-    if (document.at("schema") != run_schema) throw std::runtime_error("its schema is another");
-    const ordered_json& scene = document.at("scene");
-    const Provenance provenance{scene.at("name"),
-                                scene.at("text"),
-                                scene.at("sha256"),
-                                document.at("dimension"),
-                                document.at("command_line"),
-                                document.at("version")};
-    return {rendering_from(document), provenance};
-  } catch (const std::exception& problem) {
-    throw RunFileError(
-        fmt::format("{}: not a run of schema {}: {}", place, run_schema, problem.what()));
-  }
 }
 
 std::optional<RunRecord> find_run(const std::filesystem::path& path) {

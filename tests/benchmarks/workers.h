@@ -3,6 +3,7 @@
 
 #include "core/film.h"
 #include "mlt/deposit.h"
+#include "mlt/functionals.h"
 #include "mlt/seed_pass.h"
 #include "mlt/statistics.h"
 #include "mutations/catalogue.h"
@@ -51,18 +52,25 @@ class ChainWorker {
       : transport_(transport),
         chain_(transport_, family, seed),
         film_(transport.scene().bins(), transport.max_vertices()),
-        statistics_(Family::names, transport.scene().bins()),
+        statistics_(Family::names, transport.scene().bins(), transport.max_vertices()),
         random_(1, Purpose::chain, stream),
-        bin_(transport.bin(seed)) {}
+        current_(features(transport, seed)),
+        runs_(Family::count) {}
 
   void take_turn() {
     for (int i = 0; i < items_per_turn; ++i) {
-      random_.start(steps_++);
-      chain_.step(random_, [&](const Step<Flatland>& step) {
-        deposit(transport_, step, bin_, film_);
-        statistics_.observe(step, bin_);
-        if (step.accepted()) bin_ = transport_.bin(step.proposed);
+      random_.start(steps_);
+      statistics_.timed(steps_++, [&] {
+        int mutation = 0;
+        chain_.step(random_, [&](const Step<Flatland>& step) {
+          deposit(transport_, step, current_.bin, film_);
+          statistics_.observe(observation(transport_, step, current_), runs_);
+          if (step.accepted()) current_ = features(transport_, step.proposed);
+          mutation = step.mutation;
+        });
+        return mutation;
       });
+      draws_.offer([&] { return functionals(transport_, chain_.current()); });
     }
   }
 
@@ -72,7 +80,9 @@ class ChainWorker {
   GroupFilm film_;
   MutationStatistics statistics_;
   Rng random_;
-  int bin_;
+  Features current_;
+  RejectionRuns runs_;
+  ThinnedDraws draws_;
   std::uint64_t steps_ = 0;
 };
 

@@ -113,6 +113,14 @@ RunRecord markov_chain_run() {
   rendering.groups = 32;
   rendering.mutations = {
       {"primary_small", 1000, 400, 0.41, {{"occluded", 20}}, {500, 0, 500}, {0.5, unknown, 0.32}}};
+  MutationRecord& mutation = rendering.mutations[0];
+  mutation.seconds = 0.4;
+  mutation.squared_jump = 0.01;
+  mutation.longest_rejection_run = 77;
+  mutation.by_length = {{3, "", 900, 350, 0.39, {{"occluded", 20}}}, {4, "", 100, 50, 0.5, {}}};
+  mutation.by_class = {{0, "LSE", 1000, 400, 0.41, {{"occluded", 20}}}};
+  rendering.chains_record = {
+      300, 8, 99, {{"film", 1.004, 4000, 3000, 25}, {"specular", unknown, unknown, 10, unknown}}};
   rendering.warnings = {"a warning"};
   return run;
 }
@@ -261,7 +269,18 @@ TEST(RunJson, ADocumentSaysWhatTheContractSays) {
   EXPECT_EQ(json["film"]["degrees_of_freedom"], 31.0);
   EXPECT_EQ(json["normalization"]["estimates"]["seed_pass"]["samples"], 100000);
   EXPECT_EQ(json["normalization"]["by_length"][0]["vertices"], 2);
-  EXPECT_EQ(json["chains"], (nlohmann::ordered_json{{"count", 64}, {"groups", 32}}));
+  EXPECT_EQ(json["chains"], nlohmann::ordered_json::parse(R"({
+    "count": 64, "groups": 32, "draws": 300, "stride": 8, "longest_rejection_run": 99,
+    "r_hat": {"film": 1.004, "specular": null},
+    "ess": {"film": {"bulk": 4000.0, "tail": 3000.0}, "specular": {"bulk": null, "tail": 10.0}},
+    "ess_per_second": {"film": 3200.0, "specular": null},
+    "integrated_autocorrelation": {"film": 25.0, "specular": null}})"));
+  EXPECT_EQ(json["mutations"]["primary_small"]["squared_jump"], 0.01);
+  EXPECT_EQ(json["mutations"]["primary_small"]["longest_rejection_run"], 77);
+  EXPECT_EQ(json["mutations"]["primary_small"]["by_length"][1]["vertices"], 4);
+  EXPECT_EQ(json["mutations"]["primary_small"]["by_class"], nlohmann::ordered_json::parse(R"([
+    {"class": "LSE", "proposed": 1000, "accepted": 400, "mean_acceptance": 0.41,
+     "failures": {"occluded": 20}}])"));
   EXPECT_EQ(json["mutations"]["primary_small"]["failures"]["occluded"], 20);
 }
 

@@ -3,42 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 #include "mutations/catalogue.h"
+#include "tests/support/allocation_counter.h"
 #include "tests/support/invariance.h"
 #include "tests/support/path_equality.h"
 #include "tests/support/test_scenes.h"
-
-// ---- counting allocations ---------------------------------------------------------------------------
-
-namespace {
-
-// Of this thread, while `counting`: the rest of the program is not concerned.
-thread_local bool counting = false;
-thread_local long allocations = 0;
-
-void* allocate(std::size_t size) {
-  if (counting) ++allocations;
-  if (void* p = std::malloc(size > 0 ? size : 1)) return p;
-  throw std::bad_alloc();
-}
-
-}  // namespace
-
-void* operator new(std::size_t size) { return allocate(size); }
-void* operator new[](std::size_t size) { return allocate(size); }
-// The forms that do not throw serve std::stable_sort; all must come from one heap.
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
-void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return allocate(size); }
-void operator delete(void* p, const std::nothrow_t&) noexcept { std::free(p); }
-void operator delete[](void* p, const std::nothrow_t&) noexcept { std::free(p); }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete[](void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete[](void* p, std::size_t) noexcept { std::free(p); }
 
 namespace wander::test {
 namespace {
@@ -209,26 +180,21 @@ TEST_P(FamilySteps, TheStateIsNeverStale) {
 TEST_P(FamilySteps, NeverAllocate) {
   Chain chain(space_, family_, start());
   Rng random(5, Purpose::test, 34);
-  allocations = 0;
-  counting = true;
+  const AllocationCounter allocations;
   for (std::uint64_t i = 0; i < 5000; ++i) {
     random.start(i);
     chain.step(random, [](const Step<W>&) {});
   }
-  counting = false;
-  EXPECT_EQ(allocations, 0);
+  EXPECT_EQ(allocations.count(), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Rooms, FamilySteps,
                          ::testing::Range(0, static_cast<int>(lit_scenes().size())));
 
 TEST(AllocationCounter, CountsWhatIsAllocated) {
-  counting = true;
-  allocations = 0;
-  delete new int(1);
+  const AllocationCounter allocations;
   std::vector<double>(100).swap(*std::make_unique<std::vector<double>>());
-  counting = false;
-  EXPECT_GE(allocations, 2);
+  EXPECT_GE(allocations.count(), 1);
 }
 
 }  // namespace

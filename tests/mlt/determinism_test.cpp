@@ -1,6 +1,9 @@
 // The same numbers from any number of threads; budgets that are met to the sample.
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
+
 #include "core/estimate.h"
 #include "mlt/render.h"
 #include "mutations/catalogue.h"
@@ -28,6 +31,26 @@ Rendering independent(const Scene<Flatland>& scene, const Session& session, cons
   throw std::logic_error("no such estimator");
 }
 
+void expect_same(const std::vector<PathsRecord>& a, const std::vector<PathsRecord>& b) {
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    EXPECT_EQ(a[k].vertices, b[k].vertices);
+    EXPECT_EQ(a[k].path_class, b[k].path_class);
+    EXPECT_EQ(a[k].proposed, b[k].proposed);
+    EXPECT_EQ(a[k].accepted, b[k].accepted);
+    EXPECT_EQ(a[k].mean_acceptance, b[k].mean_acceptance);
+    EXPECT_EQ(a[k].failures, b[k].failures);
+  }
+}
+// Bit for bit; a NaN is itself.
+std::vector<std::uint64_t> bits_of(const ChainsRecord& chains) {
+  std::vector<std::uint64_t> bits{chains.draws, chains.stride, chains.longest_rejection_run};
+  for (const FunctionalRecord& f : chains.functionals)
+    for (const double x : {f.r_hat, f.ess_bulk, f.ess_tail, f.autocorrelation_time})
+      bits.push_back(std::isnan(x) ? 0 : std::bit_cast<std::uint64_t>(x));
+  return bits;
+}
+// All but the times.
 void expect_same(const Rendering& a, const Rendering& b) {
   EXPECT_EQ(a.samples, b.samples);
   EXPECT_EQ(a.film.value, b.film.value);
@@ -50,7 +73,16 @@ void expect_same(const Rendering& a, const Rendering& b) {
     EXPECT_EQ(a.mutations[m].failures, b.mutations[m].failures);
     EXPECT_EQ(a.mutations[m].proposed_per_bin, b.mutations[m].proposed_per_bin);
     EXPECT_EQ(a.mutations[m].acceptance_per_bin, b.mutations[m].acceptance_per_bin);
+    EXPECT_EQ(a.mutations[m].squared_jump, b.mutations[m].squared_jump);
+    EXPECT_EQ(a.mutations[m].longest_rejection_run, b.mutations[m].longest_rejection_run);
+    expect_same(a.mutations[m].by_length, b.mutations[m].by_length);
+    expect_same(a.mutations[m].by_class, b.mutations[m].by_class);
   }
+  ASSERT_EQ(a.chains_record.has_value(), b.chains_record.has_value());
+  if (a.chains_record) {
+    EXPECT_EQ(bits_of(*a.chains_record), bits_of(*b.chains_record));
+  }
+  EXPECT_EQ(a.warnings, b.warnings);
 }
 
 class Threads : public ::testing::TestWithParam<int> {

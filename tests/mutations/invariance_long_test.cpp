@@ -2,8 +2,6 @@
 // room.  False alarms: 1e-7 per test.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tests/support/expect.h"
 #include "tests/support/kernel_cases.h"
 #include "tests/support/test_scenes.h"
@@ -11,11 +9,15 @@
 namespace wander::test {
 namespace {
 
-class LongKernel : public ::testing::TestWithParam<std::tuple<int, KernelCase>> {};
+const std::vector<NamedRoom> rooms{
+    {"Diffuse", diffuse_room}, {"Gap", room_with_gap},    {"MirrorAndGlass", mirror_and_glass},
+    {"Rough", rough_room},     {"Pinhole", pinhole_room}, {"ThinLens", thin_lens_room}};
+
+class LongKernel : public ::testing::TestWithParam<RoomKernel> {};
 
 TEST_P(LongKernel, LeavesTheDistributionOfPathsInvariantAndItsFluxBalanced) {
-  const auto& [room, kernel] = GetParam();
-  const FlatScene scene = build(lit_scenes()[static_cast<std::size_t>(room)].scene);
+  const auto& [name, make, kernel] = GetParam();
+  const FlatScene scene = build(make());
   const Transport<Flatland> space(*scene, Roulette::off);
   const InvarianceReport report =
       kernel.test(space, {.samples = 600'000, .seed = 11, .false_alarm = usual_false_alarm / 3});
@@ -27,16 +29,11 @@ TEST_P(LongKernel, LeavesTheDistributionOfPathsInvariantAndItsFluxBalanced) {
   RecordProperty("flux", std::to_string(report.flux.statistic));
 }
 
-INSTANTIATE_TEST_SUITE_P(Rooms, LongKernel,
-                         ::testing::Combine(::testing::Range(0,
-                                                             static_cast<int>(lit_scenes().size())),
-                                            ::testing::ValuesIn(kernel_cases())),
-                         [](const auto& test) {
-                           std::string name =
-                               lit_scenes()[static_cast<std::size_t>(std::get<0>(test.param))].name;
-                           std::replace(name.begin(), name.end(), ' ', '_');
-                           return name + "_" + std::get<1>(test.param).name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Rooms, LongKernel, ::testing::ValuesIn(acting_in(rooms, kernel_cases())),
+                         [](const auto& test) { return test.param.name(); });
+INSTANTIATE_TEST_SUITE_P(PerturbationRooms, LongKernel,
+                         ::testing::ValuesIn(acting_in(perturbation_rooms(), wide_perturbations())),
+                         [](const auto& test) { return test.param.name(); });
 
 }  // namespace
 }  // namespace wander::test

@@ -12,7 +12,7 @@ bool enough(double magnitude, double square) {
 
 Decision largest(const std::vector<double>& z, const char* test, double false_alarm) {
   if (z.empty())
-    return {.test = test, .p_value = 0, .false_alarm = false_alarm, .detail = "nothing moved"};
+    return {.test = test, .p_value = 0, .false_alarm = false_alarm, .detail = nothing_moved};
   Decision decision = largest_z_test(z, false_alarm);
   decision.test = test;
   return decision;

@@ -28,6 +28,8 @@ namespace wander::test {
 // A decision about values with few contributions is no decision: a function or a pair of cells
 // takes part when (Σ |D|)² / Σ D² is at least this.
 inline constexpr double fewest_contributions = 100;
+// The detail of a decision, failed, in which nothing takes part.
+inline constexpr const char* nothing_moved = "nothing moved";
 
 // Sums over samples of the deviations D of many functions, most of which are zero most of the time.
 class Deviations {

@@ -27,9 +27,9 @@ TEST_F(CommandLine, HelpNamesEveryVerbThatExistsAndNoOther) {
   const Outcome help = wander("--help");
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* word : {"render", "inspect", "gallery", "plot", "Exit codes", "130"})
+  for (const char* word : {"render", "trace", "inspect", "gallery", "plot", "Exit codes", "130"})
     EXPECT_HAS(help.out, word);
-  for (const char* word : {"trace", "compare", "check"}) EXPECT_LACKS(help.out, word);
+  for (const char* word : {"compare", "check"}) EXPECT_LACKS(help.out, word);
 }
 
 TEST_F(CommandLine, WithoutAVerbTheProgramExplainsItself) {
@@ -39,7 +39,7 @@ TEST_F(CommandLine, WithoutAVerbTheProgramExplainsItself) {
 }
 
 TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
-  for (const std::string verb : {"render", "inspect", "gallery", "plot"}) {
+  for (const std::string verb : {"render", "trace", "inspect", "gallery", "plot"}) {
     const Outcome help = wander(verb + " --help");
     EXPECT_EQ(help.exit_code, 0) << verb;
     EXPECT_HAS(help.out, "wander " + verb);
@@ -67,6 +67,9 @@ TEST_F(CommandLine, EveryMistakeInTheCommandLineIsExitTwo) {
                                 "render box.json -m pt -o o -b 'error<0.1'",
                                 "render box.json -m pt -o o --mutations primary=1",
                                 "render box.json -m mlt -o o --mutations lens=1",
+                                "render box.json -m mmlt -o o --mutations primary=1",
+                                "render box.json -m mlt -o o --estimator kelemen",
+                                "render box.json -m pssmlt -o o --estimator none",
                                 "render box.json extra -m pt -o o",
                                 "render box.json -m pt -m lt -o o",
                                 "render box.json -m pt -o o --progress loud",
@@ -153,6 +156,25 @@ TEST_F(CommandLine, AMarkovChainRunReportsItsMutations) {
   EXPECT_GT(document["chains"]["groups"], 1);
   EXPECT_HAS(outcome.err, "normalization");
   EXPECT_HAS(outcome.err, "bidirectional");
+}
+
+TEST_F(CommandLine, TheBaselinesInPrimarySampleSpaceRunWithEitherEstimator) {
+  for (const std::string method : {"pssmlt", "mmlt"}) {
+    std::vector<json> films;
+    for (const char* estimator : {"", " --estimator kelemen", " --estimator expected"}) {
+      const Outcome outcome =
+          wander("render box.json -m " + method + " -b 20k --json -q" + estimator);
+      ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+      const json document = json::parse(outcome.out);
+      EXPECT_EQ(document["method"], method);
+      EXPECT_EQ(document["samples"], 20000);
+      EXPECT_TRUE(document["mutations"].contains("primary_small"));
+      EXPECT_TRUE(document["mutations"].contains("primary_large"));
+      films.push_back(document["film"]);
+    }
+    EXPECT_NE(films[1], films[2]);
+    EXPECT_EQ(films[0], films[method == "pssmlt" ? 1 : 2]);
+  }
 }
 
 TEST_F(CommandLine, JsonAloneWritesNoFileAndQuietSaysNothing) {

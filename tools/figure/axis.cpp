@@ -132,6 +132,24 @@ Axis make_axis(const Quantity& quantity, Range domain, Range page, int at_most_t
   return axis;
 }
 
+Axis make_log_axis(const Quantity& quantity, Range domain, Range page) {
+  const Range exponents{std::log10(domain.low), std::log10(domain.high)};
+  Axis axis{{exponents, page}, {}, {}, axis_title(quantity, 0, 0)};
+  const double decade = std::abs(page.width()) / exponents.width();
+  const bool plain = domain.low >= 1e-3 && domain.high < 1e5;
+  for (int power = static_cast<int>(std::floor(exponents.low)); power <= exponents.high; ++power)
+    for (const int mantissa : {1, 2, 5}) {
+      const double tick = power + std::log10(mantissa);
+      if (tick < exponents.low - slack || tick > exponents.high + slack) continue;
+      if (mantissa > 1 && decade < (plain ? 70 : 120)) continue;
+      const std::string factor = mantissa > 1 ? fmt::format("{}·", mantissa) : "";
+      axis.ticks.push_back(tick);
+      axis.labels.push_back(plain ? fmt::format("{:g}", decimal(mantissa, power))
+                                  : factor + "10" + superscript(power));
+    }
+  return axis;
+}
+
 void draw_bottom_axis(Svg& svg, const Axis& axis, double y) {
   const auto scope = svg.group("axis");
   const Range page = axis.scale.page;

@@ -49,6 +49,10 @@ struct Axis {
 };
 Axis make_axis(const Quantity& quantity, Range domain, Range page, int at_most_ticks);
 
+// Labels at the powers of ten, and between them at 2 and 5 where there is room; the scale takes
+// log10 of a value.  The range is positive.
+Axis make_log_axis(const Quantity& quantity, Range domain, Range page);
+
 // The line, its ticks and labels, on the page at height `y` (labels below) or at `x` (labels left).
 void draw_bottom_axis(Svg& svg, const Axis& axis, double y);
 void draw_left_axis(Svg& svg, const Axis& axis, double x);

@@ -106,6 +106,7 @@ bool is_transparent(Surface surface) {
 }
 
 void define_patterns(Svg& svg) {
+  if (!svg.is_new("inside")) return;
   const auto definitions = svg.open("defs", {});
   {
     const auto clear = svg.open("pattern", {{"id", "inside-clear"},

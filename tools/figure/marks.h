@@ -27,7 +27,7 @@ enum class Role { light, sensor };
 std::optional<Surface> surface_of(const description::Scene& scene, const description::Shape& shape);
 bool is_transparent(Surface surface);
 
-// Fill patterns for the insides of dielectrics; to be written once, before the first surface.
+// Fill patterns for the insides of dielectrics, before the first surface.
 void define_patterns(Svg& svg);
 
 void draw_surface(Svg& svg, Surface surface, std::string_view path_data);

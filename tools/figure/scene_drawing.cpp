@@ -57,6 +57,14 @@ void draw_roles(Svg& svg, const description::Scene& scene, const description::Sh
   if (shape.sensor) draw_role(svg, Role::sensor, parts, map, sensor);
 }
 
+void draw_marks(Svg& svg, const description::Scene& scene, const PageMap& map) {
+  for (const description::Shape& shape : scene.shapes)
+    if (const auto surface = surface_of(scene, shape))
+      draw_surface(svg, *surface, outline(shape.kind, map));
+  for (const description::Shape& shape : scene.shapes) draw_roles(svg, scene, shape, map);
+  if (const auto wedge = wedge_of(scene)) draw_camera(svg, *wedge, map);
+}
+
 }  // namespace
 
 Extent extent_of(const description::Scene& scene) {
@@ -81,11 +89,12 @@ void draw_scene(Svg& svg, const description::Scene& scene, const PageMap& map) {
   const auto scope = svg.group("scene");
   for (const Surface surface : {Surface::dielectric, Surface::rough_dielectric})
     draw_insides(svg, scene, surface, map);
-  for (const description::Shape& shape : scene.shapes)
-    if (const auto surface = surface_of(scene, shape))
-      draw_surface(svg, *surface, outline(shape.kind, map));
-  for (const description::Shape& shape : scene.shapes) draw_roles(svg, scene, shape, map);
-  if (const auto wedge = wedge_of(scene)) draw_camera(svg, *wedge, map);
+  draw_marks(svg, scene, map);
+}
+
+void draw_outlines(Svg& svg, const description::Scene& scene, const PageMap& map) {
+  const auto scope = svg.group("scene");
+  draw_marks(svg, scene, map);
 }
 
 }  // namespace wander::figure

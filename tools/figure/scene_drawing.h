@@ -14,5 +14,7 @@ Extent extent_of(const description::Scene& scene);
 PageMap fit(const Extent& extent, Vector page_low, Vector page_high);
 
 void draw_scene(Svg& svg, const description::Scene& scene, const PageMap& map);
+// Without the insides of glass, over a picture that is to be seen there.
+void draw_outlines(Svg& svg, const description::Scene& scene, const PageMap& map);
 
 }  // namespace wander::figure

@@ -5,7 +5,9 @@
 // locale; the same calls give the same bytes.  The result is well-formed XML 1.0 whatever the text.
 #pragma once
 
+#include <functional>
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -70,6 +72,9 @@ class Svg {
   void path(std::string_view data, Attributes attributes);
   void text(Vector position, std::string_view content, const TextStyle& style);
 
+  // True the first time that something of this name is to be defined: ids are unique.
+  bool is_new(std::string_view name) { return defined_.emplace(name).second; }
+
   // Ends the document.
   std::string finish() &&;
 
@@ -78,6 +83,7 @@ class Svg {
   void begin(std::string_view tag, Attributes attributes);
 
   std::string out_;
+  std::set<std::string, std::less<>> defined_;
   int depth_ = 1;
 };
 

@@ -1,0 +1,96 @@
+// netCDF-4 in memory, so that the disk is touched by atomic_file.h alone: libnetcdf tells of a full
+// disk only when it closes a file, and may end the process afterwards.  Not for several threads.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wander::netcdf {
+
+// what() = "VARIABLE: what the library says"
+class Error : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// A file or one of its groups, that is written.  Names of dimensions are looked up in the group.
+class Writer {
+ public:
+  static Writer create();  // an empty file; take() ends it
+
+  Writer group(const std::string& name) const;
+  void dimension(const std::string& name, std::size_t length) const;
+
+  void attribute(const std::string& name, std::string_view text) const;
+  void attribute(const std::string& name, double value) const;
+  void attribute(const std::string& name, std::int64_t value) const;
+  void attribute(const std::string& name, std::uint64_t value) const;
+
+  using Dimensions = std::vector<std::string>;
+  // Values in the order of the dimensions, the last fastest; `meaning` becomes long_name.
+  void variable(const std::string& name, const Dimensions& dimensions,
+                std::span<const double> values, std::string_view meaning) const;
+  void variable(const std::string& name, const Dimensions& dimensions,
+                std::span<const std::int32_t> values, std::string_view meaning) const;
+  void variable(const std::string& name, const Dimensions& dimensions,
+                std::span<const std::int64_t> values, std::string_view meaning) const;
+  // Zero and one, in the form that xarray reads as false and true.
+  void flags(const std::string& name, const Dimensions& dimensions,
+             std::span<const std::uint8_t> values, std::string_view meaning) const;
+  // Value i stands for word i: CF's flag_values and flag_meanings.
+  void variable(const std::string& name, const Dimensions& dimensions,
+                std::span<const std::int32_t> values, std::span<const std::string> words,
+                std::string_view meaning) const;
+
+  std::string take();  // the bytes of the whole file
+
+ private:
+  explicit Writer(int id) : id_(id) {}
+  int define(const std::string& name, const Dimensions& dimensions, int type,
+             std::string_view meaning) const;
+
+  int id_;
+};
+
+// A file or one of its groups, that is read.  Every fault throws Error.
+class Reader {
+ public:
+  // The bytes outlive the reader and all its groups.
+  explicit Reader(std::string_view bytes);
+  ~Reader();
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  class Group {
+   public:
+    explicit Group(int id) : id_(id) {}
+
+    Group group(const std::string& name) const;
+    std::size_t dimension(const std::string& name) const;
+
+    std::string text(const std::string& name) const;
+    double number(const std::string& name) const;
+    std::uint64_t count(const std::string& name) const;
+
+    // The variable must hold exactly so many values.
+    void read(const std::string& name, std::size_t size, std::vector<double>& values) const;
+    void read(const std::string& name, std::size_t size, std::vector<std::int32_t>& values) const;
+    void read(const std::string& name, std::size_t size, std::vector<std::uint8_t>& values) const;
+    std::vector<std::string> words(const std::string& variable) const;  // flag_meanings
+
+   private:
+    int variable(const std::string& name, std::size_t size) const;
+    int id_;
+  };
+  Group root() const { return Group(id_); }
+
+ private:
+  int id_ = -1;
+};
+
+}  // namespace wander::netcdf

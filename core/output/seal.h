@@ -1,0 +1,17 @@
+// A digest at the end of a file: libraries that trust what they read then never see a file that was
+// cut short or damaged.  HDF5, hence netCDF-4, ignores what follows its own end.
+//
+//   BYTES "wanderlight-sha256 " DIGEST OF THE BYTES "\n"
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace wander {
+
+std::string sealed(std::string bytes);
+// The bytes before the seal; none if there is no seal or it is of other bytes.
+std::optional<std::string_view> unsealed(std::string_view file);
+
+}  // namespace wander

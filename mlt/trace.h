@@ -1,0 +1,105 @@
+// Running some chains and writing down their steps: a trajectory.
+//
+//   scene → seed pass → chains × mixture of mutations → steps → logs → columns
+//
+// The chains are those of render() (seeded_chains.h); nothing is deposited.  Each chain has its own
+// log, so the columns do not depend on the threads.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "mlt/seeded_chains.h"
+#include "mlt/trajectory.h"
+
+namespace wander {
+
+struct TraceRequest {
+  int chains = 4;
+  TraceWindow window;
+};
+
+struct Trace {
+  bool complete = true;  // all draws that were asked for
+  Trajectory trajectory;
+  Normalization normalization;
+  int threads = 1;
+  double seconds = 0;       // wall time, seed pass included
+  double seed_seconds = 0;  // of which seed pass
+};
+
+template <class Space, class Kernel>
+class Tracer {
+ public:
+  Tracer(const Space& space, const Kernel& kernel, const Session& session, TraceRequest request,
+         ChainSettings settings)
+      : space_(space),
+        request_(request),
+        run_(session),
+        seeded_(space, kernel, run_, settings),
+        seed_seconds_(run_.seconds()),
+        logs_(static_cast<std::size_t>(request.chains)) {
+    for (int k = 0; k < request.chains; ++k)
+      members_.push_back({seeded_.chain(k), seeded_.random(k)});
+  }
+
+  // Throws NothingComputed if it is interrupted before the first draw.
+  Trace run() {
+    const std::uint64_t end = request_.window.end;
+    std::uint64_t done = 0;
+    while (done < end && !run_.is_interrupted()) {
+      const std::uint64_t next = std::min(end, done + steps_per_round());
+      run_parallel(run_, request_.chains, [&](int k) { advance(k, done, next); });
+      done = next;
+      run_.report({static_cast<double>(done) / static_cast<double>(end),
+                   done * static_cast<std::uint64_t>(request_.chains), run_.seconds(), "sampling"});
+    }
+    Trace trace;
+    trace.trajectory =
+        make_trajectory(logs_, request_.window, Space::Universe::dimension, Kernel::names);
+    trace.complete = static_cast<std::uint64_t>(trace.trajectory.draws) == request_.window.draws();
+    if (trace.trajectory.draws == 0) throw NothingComputed();
+    trace.normalization = normalization(seeded_.tally());
+    trace.threads = run_.threads();
+    trace.seconds = run_.seconds();
+    trace.seed_seconds = seed_seconds_;
+    return trace;
+  }
+
+ private:
+  using W = typename Space::Universe;
+  struct Member {
+    Chain<Space, Kernel> chain;
+    Rng random;
+  };
+
+  // Of each chain; long paths make short rounds, for a round reserves memory for the longest.
+  std::uint64_t steps_per_round() const {
+    return static_cast<std::uint64_t>(std::clamp((1 << 20) / space_.max_vertices(), 1, 1024));
+  }
+
+  void advance(int k, std::uint64_t first, std::uint64_t end) {
+    auto& [chain, random] = members_[static_cast<std::size_t>(k)];
+    StepLog& log = logs_[static_cast<std::size_t>(k)];
+    const TraceWindow& window = request_.window;
+    if (end > window.first)
+      log.reserve((end - first) / window.every + 1, space_.max_vertices(), W::dimension);
+    for (std::uint64_t i = first; i < end; ++i) {
+      random.start(i);
+      if (window.holds(i))
+        chain.step(random, [&](const Step<W>& step) { log.add(space_, step); });
+      else
+        chain.step(random, [&](const Step<W>& step) { log.skip(step); });
+    }
+  }
+
+  const Space& space_;
+  TraceRequest request_;
+  Run run_;
+  SeededChains<Space, Kernel> seeded_;
+  double seed_seconds_;
+  std::vector<Member> members_;
+  std::vector<StepLog> logs_;
+};
+
+}  // namespace wander

@@ -1,0 +1,25 @@
+// A page of figures: blocks that know their height and draw themselves, one below the other.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tools/figure/svg.h"
+
+namespace wander::figure {
+
+struct Block {
+  std::string heading;  // empty: none
+  double height = 0;    // without the heading
+  std::function<void(Svg& svg, Vector top_left)> draw;
+};
+
+// The width that blocks on a page of this width have.
+double block_width(double page_width);
+
+// An SVG document.
+std::string page(const std::string& title, const std::string& description, double page_width,
+                 const std::vector<Block>& blocks);
+
+}  // namespace wander::figure

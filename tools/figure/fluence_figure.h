@@ -1,0 +1,16 @@
+// The fluence of a scene in the plane: light in the space between the surfaces, as a figure.
+#pragma once
+
+#include <string>
+
+#include "core/description.h"
+#include "core/plane_grid.h"
+#include "core/rendering.h"
+
+namespace wander::figure {
+
+// An SVG document; `picture` is what estimate_fluence() made over this grid.
+std::string fluence_figure(const description::Scene& scene, const PlaneGrid& grid,
+                           const Rendering& picture, const std::string& title);
+
+}  // namespace wander::figure

@@ -1,0 +1,28 @@
+// A quantity over the plane of a scene: tones, the outlines of the scene over them, axes in metres,
+// and a legend of the tones.
+#pragma once
+
+#include <vector>
+
+#include "core/description.h"
+#include "core/plane_grid.h"
+#include "tools/figure/axis.h"
+#include "tools/figure/block.h"
+#include "tools/figure/style.h"
+
+namespace wander::figure {
+
+struct PlanePicture {
+  description::Scene scene;
+  PlaneGrid grid;
+  std::vector<double> values;  // per cell of the grid
+  Quantity quantity;
+  style::Shading shading;
+};
+
+// The grid that covers a drawing of the scene.
+PlaneGrid grid_over(const description::Scene& scene, int columns);
+
+Block picture_block(PlanePicture picture, double width, double most_height);
+
+}  // namespace wander::figure

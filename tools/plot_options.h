@@ -1,0 +1,49 @@
+// What the command line of `wander plot` says, and the kinds of plots that it chooses from.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/description.h"
+#include "core/session.h"
+#include "tools/figure/film_figure.h"
+#include "tools/verb.h"
+
+namespace wander {
+
+enum class TrajectoryFigure { all, paths, trace, acceptance, autocorrelation, density };
+
+// Draws A:B are those from A up to, not including, B.
+struct DrawRange {
+  int first = 0, end = std::numeric_limits<int>::max();
+};
+
+struct TrajectoryPlotOptions {
+  std::optional<TrajectoryFigure> figure;  // none: all
+  std::optional<DrawRange> draws;
+  std::optional<int> chain;
+  std::string mutation, path_class;  // empty: any
+
+  bool is_empty() const {
+    return !figure && !draws && !chain && mutation.empty() && path_class.empty();
+  }
+};
+
+struct FluencePlotOptions {
+  bool wanted = false;
+  std::optional<Budget> budget;
+  std::optional<int> resolution;  // cells across
+};
+
+struct PlotOptions {
+  std::vector<std::string> files;
+  std::string reference;
+  std::optional<std::string> title;  // none: the name of the scene
+  figure::Layout layout = figure::Layout::automatic;
+  TrajectoryPlotOptions trajectory;
+  FluencePlotOptions fluence;
+};
+
+}  // namespace wander

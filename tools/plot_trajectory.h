@@ -1,0 +1,13 @@
+// `wander plot FILE.nc`: figures of a recorded trajectory.
+#pragma once
+
+#include <string>
+
+#include "core/output/trajectory_record.h"
+#include "tools/plot_options.h"
+
+namespace wander {
+
+std::string trajectory_svg(const TrajectoryRecord& record, const PlotOptions& options);
+
+}  // namespace wander

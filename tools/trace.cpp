@@ -1,0 +1,236 @@
+// `wander trace`: runs some Markov chains and records their steps, or takes one step apart.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/output/atomic_file.h"
+#include "core/output/trajectory_csv.h"
+#include "core/output/trajectory_netcdf.h"
+#include "core/output/version.h"
+#include "tools/console.h"
+#include "tools/failure.h"
+#include "tools/inspection.h"
+#include "tools/interruption.h"
+#include "tools/nearest.h"
+#include "tools/output_place.h"
+#include "tools/parsing.h"
+#include "tools/progress.h"
+#include "tools/replay_report.h"
+#include "tools/scene_source.h"
+#include "tools/tracers.h"
+#include "tools/verb.h"
+#include "tools/wording.h"
+
+namespace wander {
+
+namespace {
+
+constexpr std::uint64_t default_steps = 1000;
+constexpr std::uint64_t most_steps = std::uint64_t{1} << 53;
+constexpr std::uint64_t most_draws = 100'000'000;  // of all chains, some hundred bytes each
+
+struct TraceOptions {
+  std::string scene;
+  std::string method = "mlt";
+  MutationWeights mutations;
+  std::optional<int> max_vertices;
+  int chains = 4;
+  std::optional<std::uint64_t> steps;
+  std::uint64_t every = 1;
+  std::optional<std::pair<std::uint64_t, std::uint64_t>> window;
+  struct Step {
+    int chain;
+    std::uint64_t step;
+  };
+  std::optional<Step> replay;
+};
+
+void require_traceable(std::string_view method) {
+  const auto known = traced_methods();
+  if (std::find(known.begin(), known.end(), method) != known.end()) return;
+  throw UsageError(
+      fmt::format("trace records Markov chains whose state is one path; {} has none: allowed is {}",
+                  parse_method(method).name, fmt::join(known, ", ")));
+}
+
+bool is_csv(const Global& global) { return global.out.extension() == ".csv"; }
+
+void require_sensible_output(const Global& global) {
+  if (global.out.empty() && !global.json)
+    throw UsageError("trace needs -o FILE.nc (or FILE.csv), or --json, or both");
+  if (global.out.empty()) return;
+  require_replaceable(global.out, global);
+  require_writable_directory(global.out);
+}
+
+// The chains run no further than the last recorded step.
+TraceWindow window_of(const TraceOptions& options) {
+  TraceWindow window{
+      .first = 0, .end = options.steps.value_or(default_steps), .every = options.every};
+  if (options.window) {
+    const auto [first, end] = *options.window;
+    if (first >= end || (options.steps && end > *options.steps))
+      throw UsageError(fmt::format(
+          "--window {}:{}: allowed is A:B with A < B{}; the steps A to B - 1 are recorded", first,
+          end, options.steps ? fmt::format(" <= {}, the steps of a chain", *options.steps) : ""));
+    window.first = first;
+    window.end = end;
+  }
+  if (window.draws() > most_draws / static_cast<std::uint64_t>(options.chains))
+    throw UsageError(fmt::format(
+        "{} chains of {} draws are more than {} in all; record less with --every or --window",
+        options.chains, window.draws(), most_draws));
+  return window;
+}
+
+TrajectoryRecord record_of(const SceneDocument& document, const TraceOptions& options,
+                           const Global& global, Trace&& trace) {
+  return {.trajectory = std::move(trace.trajectory),
+          .complete = trace.complete,
+          .method = options.method,
+          .seed = global.seed,
+          .normalization = trace.normalization,
+          .provenance = {.scene_name = document.scene.name,
+                         .scene_text = document.text,
+                         .scene_sha256 = document.sha256,
+                         .dimension = document.scene.dimension,
+                         .command_line = global.command_line,
+                         .version = program_version()}};
+}
+
+void write(const TrajectoryRecord& record, const description::Scene& scene, const Global& global) {
+  write_file(global.out, is_csv(global) ? to_csv(record.trajectory) : to_netcdf(record, scene));
+}
+
+ExitCode record_chains(const SceneDocument& document, const TraceOptions& options,
+                       const Session& session, const Global& global) {
+  require_sensible_output(global);
+  const TraceRequest request{options.chains, window_of(options)};
+  Trace trace = wander::trace(document.scene, options.method, options.mutations, session, request);
+  const double seconds = trace.seconds, seed_seconds = trace.seed_seconds;
+  const int threads = trace.threads;
+  const TrajectoryRecord record = record_of(document, options, global, std::move(trace));
+  if (!global.out.empty()) write(record, document.scene, global);
+
+  if (!global.quiet) {
+    print_note(text_of_trajectory(record));
+    print_note(fmt::format("  time            {}, of which seed pass {}\n",
+                           duration_in_words(seconds), duration_in_words(seed_seconds)));
+    if (!global.out.empty()) print_note(fmt::format("  saved as        {}\n", global.out.string()));
+  }
+  if (global.json) {
+    nlohmann::ordered_json json = inspect_trajectory(record);
+    json["schema"] = "wanderlight-trace/1";
+    json.erase("kind");
+    json["threads"] = threads;
+    json["seconds"] = seconds;
+    json["seed_seconds"] = seed_seconds;
+    if (!global.out.empty()) json["file"] = global.out.string();
+    print_json(json);
+  }
+  return record.complete ? ExitCode::ok : ExitCode::interrupted;
+}
+
+ExitCode replay_step(const SceneDocument& document, const TraceOptions& options,
+                     const Session& session, const Global& global) {
+  if (!global.out.empty())
+    throw UsageError("--replay prints one step and writes no file; leave out -o");
+  const Replay step = replay(document.scene, options.method, options.mutations, session,
+                             options.replay->chain, options.replay->step);
+  if (global.json)
+    print_json(json_of_replay(step));
+  else
+    print_data(text_of_replay(step));
+  return ExitCode::ok;
+}
+
+ExitCode trace_scene(const TraceOptions& options, const Global& global) {
+  require_traceable(options.method);
+  SceneDocument document = open_scene(options.scene);
+  if (options.max_vertices) document.scene.max_vertices = *options.max_vertices;
+  for (const std::string& warning : scene_warnings(document, options.scene))
+    spdlog::warn("{}", warning);
+  Progress progress(global);
+  const Session session{.seed = global.seed,
+                        .threads = global.threads,
+                        .interrupted = &watch_for_interruption(),
+                        .report = progress.reporter()};
+  try {
+    return options.replay ? replay_step(document, options, session, global)
+                          : record_chains(document, options, session, global);
+  } catch (const NothingComputed& nothing) {
+    throw CommandFailure(ExitCode::interrupted, nothing.what());
+  }
+}
+
+TraceOptions::Step parse_step(const std::string& text) {
+  const auto [chain, step] = parse_pair("--replay", text);
+  if (chain >= most_traced_chains)
+    throw UsageError(fmt::format("--replay {}: allowed is CHAIN:STEP with a chain from 0 to {}",
+                                 text, most_traced_chains - 1));
+  return {static_cast<int>(chain), step};
+}
+
+constexpr const char* details = R"(
+One draw is one step of a chain: what was proposed, every term of its acceptance
+probability, and the state after the decision.  A file with the ending .csv has one row
+per draw; any other is netCDF-4 and opens with arviz.from_netcdf.
+
+The chains are those that `render -m mlt` runs with the same scene, mutations and seed
+and a budget of 256 to 131072 mutations.  Ctrl-C saves the draws that all chains have.
+
+Examples:
+  wander trace scene.json --steps 2000 --chains 4 -o chains.nc
+  wander trace scene.json --replay 0:17
+)";
+
+void add_trace_options(CLI::App& verb, const std::shared_ptr<TraceOptions>& options) {
+  const auto option = [&](const char* name, const char* type, const char* help, auto&& parse) {
+    verb.add_option_function<std::string>(name, parse, help)->type_name(type);
+  };
+  verb.add_option("SCENE", options->scene, "scene file, or gallery:NAME")
+      ->type_name("")
+      ->required();
+  option("-m,--method", "METHOD", "mlt (the default)",
+         [options](const std::string& text) { options->method = parse_method(text).name; });
+  option("--mutations", "SPEC",
+         "auto (the default: all that the scene can use), or relative weights of these: "
+         "bidirectional=1,primary=1",
+         [options](const std::string& text) { options->mutations = parse_mutations(text); });
+  option("--max-vertices", "N", "longest paths, both ends counted (default: what the scene says)",
+         [options](const std::string& text) { options->max_vertices = parse_max_vertices(text); });
+  option("--chains", "N", "how many chains (default: 4)", [options](const std::string& text) {
+    options->chains = static_cast<int>(parse_count("--chains", text, 1, most_traced_chains));
+  });
+  option("--steps", "N", "steps of each chain (default: 1000)", [options](const std::string& text) {
+    options->steps = parse_count("--steps", text, 1, most_steps);
+  });
+  option("--every", "K", "record one step of K (default: 1)", [options](const std::string& text) {
+    options->every = parse_count("--every", text, 1, most_steps);
+  });
+  option("--window", "A:B", "record the steps A to B - 1 of each chain (default: all)",
+         [options](const std::string& text) { options->window = parse_pair("--window", text); });
+  option("--replay", "CHAIN:STEP", "record nothing; print every factor of this one step",
+         [options](const std::string& text) { options->replay = parse_step(text); });
+}
+
+}  // namespace
+
+void add_trace(CLI::App& app, Global& global) {
+  auto options = std::make_shared<TraceOptions>();
+  CLI::App* verb = app.add_subcommand("trace", "run Markov chains and record every mutation");
+  add_trace_options(*verb, options);
+  add_global_options(*verb, global);
+  verb->footer(details);
+  verb->callback([options, &global] {
+    global.job = [options, &global] { return trace_scene(*options, global); };
+  });
+}
+
+}  // namespace wander

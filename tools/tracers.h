@@ -1,0 +1,28 @@
+// The methods of `trace` by name: those whose state is one path.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "core/description.h"
+#include "core/session.h"
+#include "mlt/replay.h"
+#include "mlt/trace.h"
+#include "mutations/catalogue.h"
+
+namespace wander {
+
+// As many chains can be told apart, and traced, as render() runs.
+inline constexpr int most_traced_chains = ChainSettings{}.groups * ChainSettings{}.chains_per_group;
+
+std::span<const std::string_view> traced_methods();
+
+// `method` is one of traced_methods(); the budget of the session is that of the request.  Throws
+// NoLightFound, NothingComputed.
+Trace trace(const description::Scene& scene, std::string_view method,
+            const MutationWeights& weights, const Session& session, const TraceRequest& request);
+Replay replay(const description::Scene& scene, std::string_view method,
+              const MutationWeights& weights, const Session& session, int chain,
+              std::uint64_t step);
+
+}  // namespace wander
