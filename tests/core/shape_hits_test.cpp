@@ -166,6 +166,29 @@ TEST(Spheres, AreLeftAndMetAgainAtTheEndOfTheChord) {
   }
 }
 
+TEST(Arcs, HaveTheirEndsInTheFirstAndTheLastBin) {
+  const Point2 center(1, 2);
+  const Arc<Flatland> arc(center, 3, 0.4, 1.5, Arc<Flatland>::Facing::outward);
+  const auto parameter_at = [&](double angle) {
+    return arc.parameter(center + 3.0 * Point2(std::cos(angle), std::sin(angle)))[0];
+  };
+  EXPECT_NEAR(parameter_at(0.4 - 1e-12), 0, 1e-11);
+  EXPECT_NEAR(parameter_at(0.4 + 1.5 + 1e-12), 1, 1e-11);
+  EXPECT_LT(parameter_at(0.4 + 1.5 + 1e-12), 1);
+}
+
+TEST(Spheres, HaveTheAreaOfTheirDiametersCylinder) {
+  const Sphere<Spaceland> sphere({1, 2, 3}, 0.5, Sphere<Spaceland>::Facing::outward);
+  EXPECT_DOUBLE_EQ(sphere.measure(), std::numbers::pi);
+}
+
+TEST(Parallelograms, AreNotHitBehindARay) {
+  const Parallelogram<Spaceland> square({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  const Point3 above(0.5, 0.5, 1);
+  EXPECT_EQ(square.intersect({.origin = above, .direction = {0, 0, -1}}, 0), 1);
+  EXPECT_TRUE(std::isinf(square.intersect({.origin = above, .direction = {0, 0, 1}}, 0)));
+}
+
 TEST(Parallelograms, HaveTheNormalOfTheirEdgesAndEndAtThem) {
   const Sheet sheet({0, 0, 1}, {2, 0, 0}, {1, 3, 0});
   EXPECT_EQ(sheet.measure(), 6);

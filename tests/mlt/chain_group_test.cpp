@@ -23,12 +23,12 @@ class PathGroups : public ::testing::Test {
     Chain<Flat, Family> chain(space_, family_,
                               slice_.replay(slice_.seed(k), space_.max_vertices()));
     Rng random(seed, Purpose::chain, static_cast<std::uint32_t>(group * chains + k));
+    RejectionRuns runs(Family::count);
     for (std::uint64_t i = 0; i < steps; ++i) {
       random.start(i);
       chain.step(random, [&](const Step<W>& step) {
-        const int bin = space_.bin(step.current);
-        deposit(space_, step, bin, film);
-        statistics.observe(step, bin);
+        deposit(space_, step, space_.bin(step.current), film);
+        statistics.observe(observation(space_, step, features(space_, step.current)), runs);
       });
     }
   }
@@ -51,8 +51,8 @@ class PathGroups : public ::testing::Test {
 // 107 steps of three chains are 36, 36 and 35, whatever the rounds that they are made in.
 TEST_F(PathGroups, MakesTheStepsOfItsOwnStreams) {
   GroupsFilm expected({scene_->bins()}), actual({scene_->bins()});
-  MutationStatistics expected_statistics(Family::names, scene_->bins());
-  MutationStatistics actual_statistics(Family::names, scene_->bins());
+  MutationStatistics expected_statistics(Family::names, scene_->bins(), scene_->max_vertices());
+  MutationStatistics actual_statistics(Family::names, scene_->bins(), scene_->max_vertices());
   GroupFilm film(scene_->bins(), scene_->max_vertices());
   for (const auto& [k, steps] : {std::pair(0, 36u), {1, 36u}, {2, 35u}})
     run_chain(k, steps, film, expected_statistics);
@@ -63,7 +63,8 @@ TEST_F(PathGroups, MakesTheStepsOfItsOwnStreams) {
   made.start_chains(others_);
   for (const std::uint64_t round : {2u, 98u, 7u}) made.advance(round);
   EXPECT_EQ(made.steps(), 107u);
-  made.deliver(actual, actual_statistics);
+  ChainDraws draws;
+  made.deliver(actual, actual_statistics, draws);
 
   const FilmEstimate a = actual.estimate(), e = expected.estimate();
   for (std::size_t bin = 0; bin < e.value.size(); ++bin)
