@@ -136,7 +136,7 @@ TEST(Mixture, RefusesWhereNothingIsApplicable) {
   Chain<Graph, Mixture<Idle>> chain(world.graph, kernel, world.states[0]);
   Rng random(1, Purpose::test, 0);
   chain.step(random, [](const Step<Pointland>& step) {
-    EXPECT_FALSE(step.accepted());
+    EXPECT_EQ(step.reason, Reason::not_applicable);
     EXPECT_EQ(step.acceptance, 0);
   });
 }
