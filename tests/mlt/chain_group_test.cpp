@@ -2,8 +2,12 @@
 // each step, and the film that these alone determine.
 #include <gtest/gtest.h>
 
+#include <map>
+
+#include "mlt/mmlt_group.h"
 #include "mlt/render.h"
 #include "mutations/catalogue.h"
+#include "mutations/kelemen.h"
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {
@@ -76,6 +80,35 @@ TEST_F(PathGroups, MakesTheStepsOfItsOwnStreams) {
     EXPECT_EQ(records[m].accepted, by_hand[m].accepted);
     EXPECT_EQ(records[m].failures, by_hand[m].failures);
     EXPECT_EQ(records[m].proposed_per_bin, by_hand[m].proposed_per_bin);
+  }
+}
+
+// All light that others found is in paths of two vertices: 0.9 of the steps go there, and a tenth
+// is spread evenly, whatever the group's own slice holds.
+TEST(MmltGroups, ShareTheirStepsByTheLightThatOtherGroupsFound) {
+  const FlatScene scene = build(diffuse_room());
+  const Flat space(*scene, Roulette::off);
+  const int lengths = space.max_vertices() - 1;
+  MmltGroup<Flat, Kelemen, ExpectedValues> made(space, {Kelemen{}, 0.3}, seed, group, 1);
+  made.add_seeds(2000);
+  SeedTally others(space.max_vertices());
+  others.samples = 1;
+  others.total += 1;
+  others.sum[0] += 1;
+  made.start_chains(others);
+  made.advance(10'000);
+  GroupsFilm film({scene->bins()});
+  MutationStatistics statistics(made.move_names(), scene->bins(), scene->max_vertices());
+  ChainDraws draws;
+  made.deliver(film, statistics, draws);
+  std::map<int, double> steps;
+  for (const MutationRecord& record : statistics.records())
+    for (const PathsRecord& part : record.by_length)
+      steps[part.vertices] += static_cast<double>(part.proposed);
+  ASSERT_EQ(steps.size(), static_cast<std::size_t>(lengths)) << "a seed of each length";
+  for (const auto& [vertices, count] : steps) {
+    const double share = 0.1 / lengths + (vertices == 2 ? 0.9 : 0);
+    EXPECT_NEAR(count, 10'000 * share, 5) << vertices << " vertices";
   }
 }
 
