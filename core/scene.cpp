@@ -53,6 +53,19 @@ Scene<W>::Scene(SceneParts<W> parts)
 }
 
 template <World W>
+Box<W> Scene<W>::bounds() const {
+  const auto of = [](const Shape<W>& shape) {
+    return visit_shape([](const auto& s) { return s.bounds(); }, shape);
+  };
+  Box<W> all = of(shapes_.front());
+  for (const Shape<W>& shape : shapes_) {
+    const Box<W> box = of(shape);
+    all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
+  }
+  return all;
+}
+
+template <World W>
 int Scene<W>::bin(typename W::Square film) const {
   // Film coordinates name the fastest axis first, `resolution` last.
   int index = 0;

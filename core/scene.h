@@ -72,6 +72,7 @@ class Scene {
   ShapeId sensor() const { return sensor_; }
   const std::optional<Camera<W>>& camera() const { return camera_; }
   Length sensor_measure() const;  // of a sensor that is a surface
+  Box<W> bounds() const;          // of all its shapes
 
   Hit<W> closest(const Ray<W>& ray) const {
     if (log_) log_->closest.push_back(ray);

@@ -52,6 +52,15 @@ class Mixture {
     std::apply([&](Mutations&... m) { (teach(m, seeds), ...); }, mutations_);
   }
 
+  const std::array<double, count>& weights() const { return weights_; }
+  // The same mutations, of which mutation i alone is ever selected.
+  Mixture only(std::size_t i) const {
+    Mixture one = *this;
+    one.weights_ = {};
+    one.weights_[i] = 1;
+    return one;
+  }
+
   // s_i(x); all zero where nothing is applicable.
   template <class Space>
   std::array<double, count> probabilities(const Space& space,

@@ -5,7 +5,14 @@
 
 namespace wander {
 
-enum class ExitCode { ok = 0, failure = 1, usage = 2, invalid_input = 3, interrupted = 130 };
+enum class ExitCode {
+  ok = 0,
+  failure = 1,
+  usage = 2,
+  invalid_input = 3,
+  check_failed = 4,
+  interrupted = 130
+};
 
 struct ExitCodeMeaning {
   ExitCode code;
@@ -18,6 +25,7 @@ inline constexpr std::array exit_code_meanings{
     ExitCodeMeaning{ExitCode::usage,
                     "usage: the command line asks for something that does not exist"},
     ExitCodeMeaning{ExitCode::invalid_input, "invalid scene or input file"},
+    ExitCodeMeaning{ExitCode::check_failed, "a check or comparison failed"},
     ExitCodeMeaning{ExitCode::interrupted,
                     "interrupted; what was computed so far is saved as incomplete"},
 };

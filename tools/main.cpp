@@ -53,6 +53,7 @@ void build(CLI::App& app, Global& global) {
   add_inspect(app, global);
   add_gallery(app, global);
   add_plot(app, global);
+  add_check(app, global);
   for (CLI::App* verb : app.get_subcommands({})) verb->group("Verbs");
 }
 

@@ -1,5 +1,6 @@
 // Throughput on one thread, and the share of ray casts in it: see docs/benchmarks.md.
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -56,15 +57,16 @@ void bench_samples(benchmark::State& state, const std::string& name) {
   alternate(state, *scene, workers, "samples/s");
 }
 
+// `choose` makes the kernel of the mixture of all.
 void bench_mutations(benchmark::State& state, const std::string& name,
-                     const std::array<double, Family::count>& weights) {
+                     const std::function<Family(const Family&)>& choose) {
   const auto scene = bench_scene(name);
   const Light transport(*scene, Roulette::off);
-  const Family family(weights, Bidirectional{}, PrimarySmall{},
-                      PrimaryLarge(scene->max_vertices()));
+  Family family = choose(make_family({}, scene->max_vertices()));
   SeedSlice<Light> slice(transport, 1, 0, workers_per_round);
   slice.run(1 << 12);
   if (!slice.found_light()) return state.SkipWithError("no seed path was found");
+  family.learn(slice.tally());
   std::vector<ChainWorker> workers;
   workers.reserve(workers_per_round);
   for (int k = 0; k < workers_per_round; ++k)
@@ -72,17 +74,6 @@ void bench_mutations(benchmark::State& state, const std::string& name,
                          static_cast<std::uint32_t>(k));
   alternate(state, *scene, workers, "mutations/s");
 }
-
-struct Weighting {
-  const char* name;
-  std::array<double, Family::count> weights;
-};
-constexpr std::array<Weighting, 4> weightings{{
-    {"bidirectional", {1, 0, 0}},
-    {"primary_small", {0, 1, 0}},
-    {"primary_large", {0, 0, 1}},
-    {"mixture", {1, 1 - default_large_step, default_large_step}},  // as make_family has it
-}};
 
 void register_all() {
   for (const std::string name : scenes) {
@@ -96,10 +87,13 @@ void register_all() {
     add("bdpt", 0.3, [name](benchmark::State& state) {
       bench_samples(state, name);
     })->UseManualTime();
-    for (const Weighting& w : weightings)
-      add(w.name, 0.3, [name, &w](benchmark::State& state) {
-        bench_mutations(state, name, w.weights);
+    for (std::size_t i = 0; i < Family::count; ++i)
+      add(std::string(Family::names[i]), 0.3, [name, i](benchmark::State& state) {
+        bench_mutations(state, name, [i](const Family& all) { return all.only(i); });
       })->UseManualTime();
+    add("mixture", 0.3, [name](benchmark::State& state) {
+      bench_mutations(state, name, [](const Family& all) { return all; });
+    })->UseManualTime();
   }
 }
 

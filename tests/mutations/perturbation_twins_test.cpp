@@ -29,7 +29,7 @@ InvarianceReport report_of(Room room, const Kernel& kernel, std::uint64_t sample
 
 template <class Mutation>
 ::testing::AssertionResult caught(Room room, const Mutation& mutation) {
-  return caught(report_of(room, alone(mutation)));
+  return test::caught(report_of(room, alone(mutation)));
 }
 
 TEST(PerturbationTwin, WithoutAFlawPasses) {
@@ -94,7 +94,7 @@ TEST(PerturbationTwin, OfAMixtureWithAStaleSelectionIsCaught) {
   using Three = Mixture<Bidirectional, Lens, Multichain>;
   const Three mixture({1, 3, 0.1}, {}, Lens{wide}, Multichain{wide});
   EXPECT_TRUE(passes(report_of(mirror_corridor, mixture).many_steps));
-  EXPECT_TRUE(caught(report_of(mirror_corridor, StaleSelection<Three>{mixture}, 100'000)));
+  EXPECT_TRUE(test::caught(report_of(mirror_corridor, StaleSelection<Three>{mixture}, 100'000)));
 }
 
 }  // namespace

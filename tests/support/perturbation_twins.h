@@ -280,6 +280,10 @@ struct StaleSelection {
     }
     return selected;
   }
+  template <class Space>
+  auto probabilities(const Space& space, const Path<typename Space::Universe>& x) const {
+    return mixture.probabilities(space, x);
+  }
 };
 
 }  // namespace wander::test

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/binomial.hpp>
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <ostream>
@@ -17,27 +15,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double normal_threshold(double rate) {
-  return boost::math::quantile(boost::math::complement(boost::math::normal{}, rate / 2));
-}
-
-// P(|T| >= |t|); what is not finite gets 0, so that it is rejected.
-double student_two_sided_p(double t, double degrees) {
-  if (!std::isfinite(t)) return 0;
-  const boost::math::students_t distribution{degrees};
-  return 2 * boost::math::cdf(boost::math::complement(distribution, std::abs(t)));
-}
-
-double student_threshold(double rate, double degrees) {
-  const boost::math::students_t distribution{degrees};
-  return boost::math::quantile(boost::math::complement(distribution, rate / 2));
-}
-
-// 0/0 means agreement without any spread; x/0 is an infinite deviation.
-double ratio(double difference, double error) {
-  return difference == 0 && error == 0 ? 0 : difference / error;
-}
-
 // The two-sided decision that all tests on Student's distribution share.
 Decision student_decision(std::string test, double t, double degrees, double false_alarm) {
   Decision d{.test = std::move(test), .statistic = t, .false_alarm = false_alarm};
@@ -48,73 +25,21 @@ Decision student_decision(std::string test, double t, double degrees, double fal
   return d;
 }
 
-struct Welch {
-  double t, degrees;
-};
-
-// t = (x̄ - ȳ) / √(a + b),  ν = (a + b)² / (a²/(n-1) + b²/(m-1)),  a = s²/n.
-Welch welch(const Moments& x, const Moments& y) {
-  if (x.count() < 2 || y.count() < 2)
-    throw std::invalid_argument("a Welch test needs two values on each side");
-  const double a = x.variance() / static_cast<double>(x.count());
-  const double b = y.variance() / static_cast<double>(y.count());
-  const double n = static_cast<double>(x.count() - 1), m = static_cast<double>(y.count() - 1);
-  const double t = ratio(x.mean() - y.mean(), std::sqrt(a + b));
-  return {t, a + b > 0 ? (a + b) * (a + b) / (a * a / n + b * b / m) : n + m};
+Measurement measurement(const Moments& x) {
+  if (x.count() < 2) throw std::invalid_argument("a Welch test needs two values on each side");
+  return {x.mean(), x.standard_error(), static_cast<double>(x.count() - 1)};
 }
 
-void require_family(std::size_t a, std::size_t b) {
-  if (a == 0) throw std::invalid_argument("an empty family of comparisons decides nothing");
-  if (a != b) throw std::invalid_argument("a family needs as many values on each side");
+std::vector<Measurement> measurements(std::span<const Moments> bins) {
+  std::vector<Measurement> all;
+  for (const Moments& bin : bins) all.push_back(measurement(bin));
+  return all;
 }
 
 }  // namespace
 
-double normal_two_sided_p(double z) {
-  if (std::isnan(z)) return 0;
-  return std::erfc(std::abs(z) / std::sqrt(2.0));
-}
-
-// 1 - (1 - α)^(1/m), without the cancellation that α = 1e-7 would meet.
-double sidak_rate(double family_false_alarm, std::size_t comparisons) {
-  return -std::expm1(std::log1p(-family_false_alarm) / static_cast<double>(comparisons));
-}
-
-double sidak_threshold(double family_false_alarm, std::size_t comparisons) {
-  return normal_threshold(sidak_rate(family_false_alarm, comparisons));
-}
-
 double bonferroni_threshold(double family_false_alarm, std::size_t comparisons) {
-  return normal_threshold(family_false_alarm / static_cast<double>(comparisons));
-}
-
-Moments::Moments(std::span<const double> values) {
-  for (const double value : values) add(value);
-}
-
-void Moments::add(double value) {
-  ++count_;
-  const double before = value - mean_;
-  mean_ += before / static_cast<double>(count_);
-  squares_ += before * (value - mean_);
-}
-
-// With δ the difference of the means: Σ² = Σ₁² + Σ₂² + δ² n m / (n + m).
-void Moments::merge(const Moments& other) {
-  if (other.count_ == 0) return;
-  const auto n = static_cast<double>(count_), m = static_cast<double>(other.count_);
-  const double difference = other.mean_ - mean_;
-  mean_ += difference * (m / (n + m));
-  squares_ += other.squares_ + difference * difference * (n * m / (n + m));
-  count_ += other.count_;
-}
-
-double Moments::variance() const {
-  return count_ < 2 ? 0 : squares_ / static_cast<double>(count_ - 1);
-}
-
-double Moments::standard_error() const {
-  return count_ < 2 ? infinity : std::sqrt(variance() / static_cast<double>(count_));
+  return sidak_threshold(family_false_alarm / static_cast<double>(comparisons), 1);
 }
 
 std::ostream& operator<<(std::ostream& out, const Decision& d) {
@@ -134,7 +59,7 @@ std::string describe(const Decision& decision) {
 
 Decision z_test(double estimate, double standard_error, double exact, double false_alarm) {
   Decision d{.test = "z test of one mean", .false_alarm = false_alarm};
-  d.statistic = ratio(estimate - exact, standard_error);
+  d.statistic = standardized(estimate - exact, standard_error);
   d.threshold = sidak_threshold(false_alarm, 1);
   d.p_value = normal_two_sided_p(d.statistic);
   // An infinite error would turn every deviation into z = 0.
@@ -151,7 +76,7 @@ Decision z_test(const Moments& sample, double exact, double false_alarm) {
 
 Decision t_test(const Moments& sample, double exact, double false_alarm) {
   if (sample.count() < 2) throw std::invalid_argument("a t test needs two values");
-  const double t = ratio(sample.mean() - exact, sample.standard_error());
+  const double t = standardized(sample.mean() - exact, sample.standard_error());
   return student_decision("t test of one mean", t, static_cast<double>(sample.count() - 1),
                           false_alarm);
 }
@@ -166,29 +91,13 @@ Decision paired_t_test(std::span<const double> a, std::span<const double> b, dou
 }
 
 Decision welch_test(const Moments& a, const Moments& b, double false_alarm) {
-  const Welch w = welch(a, b);
+  const Welch w = welch(measurement(a), measurement(b));
   return student_decision("Welch test of two means", w.t, w.degrees, false_alarm);
 }
 
 double welch_p_value(const Moments& a, const Moments& b) {
-  const Welch w = welch(a, b);
+  const Welch w = welch(measurement(a), measurement(b));
   return student_two_sided_p(w.t, w.degrees);
-}
-
-Decision largest_z_test(std::span<const double> z, double false_alarm) {
-  require_family(z.size(), z.size());
-  Decision d{.test = "largest |z|", .passed = true, .false_alarm = false_alarm};
-  d.comparisons = z.size();
-  d.threshold = sidak_threshold(false_alarm, z.size());
-  for (std::size_t i = 0; i < z.size(); ++i) {
-    if (std::abs(z[i]) <= std::abs(d.statistic)) continue;
-    d.statistic = z[i];  // a NaN lands here too, and no later value displaces it
-    d.worst = i;
-    if (std::isnan(z[i])) break;
-  }
-  d.p_value = normal_two_sided_p(d.statistic);
-  d.passed = std::abs(d.statistic) <= d.threshold;
-  return d;
 }
 
 Decision bins_z_test(std::span<const Moments> bins, std::span<const double> exact,
@@ -198,7 +107,7 @@ Decision bins_z_test(std::span<const Moments> bins, std::span<const double> exac
   for (std::size_t i = 0; i < bins.size(); ++i) {
     const double error = bins[i].standard_error();
     // Without two values there is no error bar, hence no agreement.
-    z[i] = std::isfinite(error) ? ratio(bins[i].mean() - exact[i], error) : infinity;
+    z[i] = std::isfinite(error) ? standardized(bins[i].mean() - exact[i], error) : infinity;
   }
   Decision d = largest_z_test(z, false_alarm);
   std::ostringstream text;
@@ -210,25 +119,7 @@ Decision bins_z_test(std::span<const Moments> bins, std::span<const double> exac
 
 Decision bins_welch_test(std::span<const Moments> a, std::span<const Moments> b,
                          double false_alarm) {
-  require_family(a.size(), b.size());
-  Decision d{.test = "Welch test of each bin", .p_value = infinity, .false_alarm = false_alarm};
-  d.comparisons = a.size();
-  const double rate = sidak_rate(false_alarm, a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Welch w = welch(a[i], b[i]);
-    const double p = student_two_sided_p(w.t, w.degrees);
-    if (p >= d.p_value) continue;
-    d.p_value = p;
-    d.worst = i;
-    d.statistic = w.t;
-    d.threshold = student_threshold(rate, w.degrees);
-  }
-  d.passed = d.p_value >= rate;
-  std::ostringstream text;
-  text << "there " << a[d.worst].mean() << " ± " << a[d.worst].standard_error() << " against "
-       << b[d.worst].mean() << " ± " << b[d.worst].standard_error();
-  d.detail = text.str();
-  return d;
+  return welch_tests(measurements(a), measurements(b), false_alarm);
 }
 
 // Quantiles of the beta distributions that the binomial tails are.

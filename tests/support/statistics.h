@@ -1,9 +1,8 @@
-// Statistical decisions with a stated false-alarm rate.
+// The decisions that only tests make, beside those of core/decision.h: against exact values, of
+// whole distributions, and of proportions.
 //
 // Every test takes the probability with which it may reject a correct program, for the whole family
-// of comparisons that it makes, and returns a Decision that says how near it came.  Family rates
-// become thresholds by Šidák: the rate of each of m independent comparisons is 1 - (1 - α)^(1/m);
-// Bonferroni's α/m holds without independence.  A statistic that is not finite never passes.
+// of comparisons that it makes.  Bonferroni's rate α/m of each holds without independence.
 #pragma once
 
 #include <cstddef>
@@ -13,50 +12,16 @@
 #include <string>
 #include <vector>
 
+#include "core/decision.h"
+
 namespace wander::test {
 
 // False-alarm rate of one test (one family).  With a few hundred tests in the suite, `usual` gives
 // a correct program less than one failure in 10^4 runs with new seeds.
 inline constexpr double usual_false_alarm = 1e-7;
 
-double normal_two_sided_p(double z);
-double sidak_rate(double family_false_alarm, std::size_t comparisons);
-// |z| above this rejects one of so many two-sided comparisons.
-double sidak_threshold(double family_false_alarm, std::size_t comparisons);
 double bonferroni_threshold(double family_false_alarm, std::size_t comparisons);
 
-// Count, mean and Σ (x - mean)² of a stream [Welford 1962]; streams merge [Chan et al. 1979].
-class Moments {
- public:
-  Moments() = default;
-  explicit Moments(std::span<const double> values);
-
-  void add(double value);
-  void merge(const Moments& other);
-
-  std::uint64_t count() const { return count_; }
-  double mean() const { return mean_; }
-  double variance() const;        // of one value, unbiased
-  double standard_error() const;  // of the mean
-
- private:
-  std::uint64_t count_ = 0;
-  double mean_ = 0, squares_ = 0;
-};
-
-struct Decision {
-  std::string test;  // what was tested, in words
-  bool passed = false;
-  double statistic = 0;  // z, t, or Pearson's sum, as `test` says
-  double threshold = 0;  // of the statistic
-  double p_value = 1;    // of the worst comparison alone
-  double false_alarm = 0;
-  std::size_t comparisons = 1;
-  std::size_t worst = 0;  // index of the worst comparison or cell
-  std::string detail{};   // why it failed, if not by the statistic; numbers worth reading
-
-  explicit operator bool() const { return passed; }
-};
 std::ostream& operator<<(std::ostream& out, const Decision& decision);
 std::string describe(const Decision& decision);
 
@@ -71,8 +36,6 @@ Decision paired_t_test(std::span<const double> a, std::span<const double> b, dou
 Decision welch_test(const Moments& a, const Moments& b, double false_alarm);
 double welch_p_value(const Moments& a, const Moments& b);
 
-// Many comparisons, one decision: the largest |z| against Šidák's threshold.
-Decision largest_z_test(std::span<const double> z, double false_alarm);
 // One z per bin.  A bin without spread must equal its exact value.
 Decision bins_z_test(std::span<const Moments> bins, std::span<const double> exact,
                      double false_alarm);

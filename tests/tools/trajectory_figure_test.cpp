@@ -173,7 +173,7 @@ TEST(Autocorrelation, IsThatOfAnAutoregressiveProcess) {
     std::vector<double> z;
     for (std::size_t k = 1; k < rho.size(); ++k)
       z.push_back((rho[k] - std::pow(base, static_cast<double>(k))) / error);
-    return test::largest_z_test(z, test::usual_false_alarm);
+    return largest_z_test(z, test::usual_false_alarm);
   };
   EXPECT_TRUE(decide(phi));
   EXPECT_FALSE(decide(0.95 * phi));

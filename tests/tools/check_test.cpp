@@ -1,0 +1,144 @@
+// `wander check`: verdicts in words and in JSON, exit codes, and a wrong twin that is caught.
+#include <nlohmann/json.hpp>
+
+#include "tests/support/test_scenes.h"
+#include "tests/support/wrong_twins.h"
+#include "tests/tools/command_line.h"
+#include "tools/check_report.h"
+
+namespace wander::test {
+namespace {
+
+using nlohmann::json;
+using Flat = Transport<Flatland>;
+
+std::string box_of(const char* member, const json& value) {
+  json scene = json::parse(box);
+  scene[member] = value;
+  return scene.dump(1);
+}
+
+TEST_F(CommandLine, CheckSaysOfEachMutationThatItLeavesTheTargetInvariant) {
+  const Outcome check = wander("check box.json --samples 20k");
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  for (const std::string_view name : Family::names) EXPECT_HAS(check.out, std::string(name));
+  EXPECT_HAS(check.out, "leaves the target invariant (largest |z|");
+  EXPECT_HAS(check.out, "mixture");
+  EXPECT_HAS(check.out, "agrees with bdpt");
+  EXPECT_LACKS(check.out, "DOES NOT");
+}
+
+TEST_F(CommandLine, CheckTestsTheMutationsThatWereNamedAndNoOther) {
+  const Outcome check = wander("check box.json --samples 5k --mutations bidirectional=1");
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_HAS(check.out, "bidirectional");
+  EXPECT_LACKS(check.out, "primary");
+  EXPECT_LACKS(check.out, "mixture");
+}
+
+TEST_F(CommandLine, CheckPrintsOneDocumentThatIsTheSameForAnyNumberOfThreads) {
+  const std::string arguments = "check box.json --samples 5k --mutations bidirectional=1 --json ";
+  const Outcome one = wander(arguments + "-t 1"), three = wander(arguments + "-t 3");
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_EQ(one.out, three.out);
+  const json document = json::parse(one.out);
+  EXPECT_EQ(document["schema"], "wanderlight-check/1");
+  EXPECT_EQ(document["passed"], true);
+  EXPECT_EQ(document["mutations"][0]["verdict"], "passed");
+  EXPECT_EQ(document["methods"].size(), checked_methods().size());
+  EXPECT_NE(wander(arguments + "-s 2").out, one.out);
+}
+
+TEST_F(CommandLine, CheckFindsNoLightAndSaysSo) {
+  json scene = json::parse(box);
+  scene["shapes"].push_back(
+      {{"type", "segment"}, {"from", {0, 0.5}}, {"to", {2, 0.5}}, {"material", "wall"}});
+  write("dark.json", scene.dump(1));
+  const Outcome check = wander("check dark.json --json");
+  EXPECT_EQ(check.exit_code, 1);
+  EXPECT_HAS(check.err, "found no light path");
+  EXPECT_TRUE(json::parse(check.out).contains("error"));
+}
+
+TEST_F(CommandLine, CheckThatHasTooFewSamplesDecidesNothing) {
+  const Outcome check = wander("check box.json --samples 10");
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_HAS(check.out, "not tested: it moved");
+  EXPECT_HAS(check.out, "nothing could be tested");
+}
+
+TEST_F(CommandLine, CheckRefusesWhatItCannotDo) {
+  for (const char* arguments :
+       {"check", "check box.json --samples 5s", "check box.json --samples 0",
+        "check box.json -o out", "check box.json --mutations nope=1"}) {
+    const Outcome check = wander(arguments);
+    EXPECT_EQ(check.exit_code, 2) << arguments << check.err;
+  }
+  write("bad.json", box_of("max_vertices", 1));
+  EXPECT_EQ(wander("check bad.json").exit_code, 3);
+}
+
+// ---- the verdicts themselves
+
+std::vector<KernelCheck> checks_of(const Flat& space, const auto& mixture, std::uint64_t samples) {
+  Session session;
+  session.threads = 1;
+  const Starts<Flat> starts(space, 1);
+  std::vector<KernelCheck> checks;
+  check_kernels(space, mixture, starts, {.samples = samples, .false_alarm = 1e-7}, Run(session),
+                [&](KernelCheck check) { checks.push_back(std::move(check)); });
+  return checks;
+}
+
+TEST(Check, CatchesTheFlawedMutationAloneAndInTheMixture) {
+  const FlatScene scene = build(diffuse_room());
+  const Mixture mixture({1, 1}, FlawedRatio<Bidirectional>{{}, RatioFlaw::inverted},
+                        PrimarySmall{});
+  const auto checks = checks_of(Flat(*scene, Roulette::off), mixture, 20'000);
+  ASSERT_EQ(checks.size(), 3u);
+  EXPECT_EQ(verdict_of(checks[0].report), Verdict::failed);
+  EXPECT_EQ(verdict_of(checks[1].report), Verdict::passed);
+  EXPECT_EQ(verdict_of(checks[2].report), Verdict::failed);
+  const CheckReport report{.samples = 20'000, .steps = 20, .mutations = checks};
+  EXPECT_FALSE(report.passed());
+  EXPECT_HAS(text_of(report), "bidirectional  DOES NOT leave the target invariant: ");
+  EXPECT_HAS(text_of(report), "primary_small  leaves the target invariant");
+}
+
+// Can act nowhere.
+struct Idle {
+  static constexpr std::string_view name = "idle";
+  double applicability(const auto&, const auto&) const { return 0; }
+  Proposed propose(const auto&, const auto&, auto&, auto&) const { return Proposal{1, 1}; }
+};
+
+TEST(Check, SaysThatAMutationCannotActRatherThanThatItIsRight) {
+  const FlatScene scene = build(diffuse_room());
+  const auto checks = checks_of(Flat(*scene, Roulette::off), Mixture<Idle>({1}, Idle{}), 1000);
+  ASSERT_EQ(checks.size(), 1u);
+  EXPECT_EQ(verdict_of(checks[0].report), Verdict::untested);
+  const CheckReport report{.samples = 1000, .steps = 20, .mutations = checks};
+  EXPECT_TRUE(report.passed());
+  EXPECT_HAS(text_of(report), "idle  not tested: it cannot act on any of the ");
+}
+
+TEST(Check, ComparesFilmsOnlyWhereBothAreReliable) {
+  const FilmEstimate film{.value = {1, 1, 1},
+                          .standard_error = {0.01, 0.01, 0.01},
+                          .reliable = {true, true, false},
+                          .degrees_of_freedom = 63};
+  FilmEstimate other = film;
+  other.value = {1.01, 1.02, 9};
+  const MethodCheck same = compare_films("pt", film, other, 1e-7);
+  EXPECT_EQ(same.verdict, Verdict::passed);
+  EXPECT_EQ(same.decision.comparisons, 2u);
+  other.value[1] = 1.2;
+  const MethodCheck different = compare_films("pt", film, other, 1e-7);
+  EXPECT_EQ(different.verdict, Verdict::failed);
+  EXPECT_EQ(different.decision.worst, 1u);
+  other.reliable = {false, false, true};
+  EXPECT_EQ(compare_films("pt", film, other, 1e-7).verdict, Verdict::untested);
+}
+
+}  // namespace
+}  // namespace wander::test

@@ -1,0 +1,164 @@
+// `wander check`: does each mutation leave the target invariant on this scene, and do the methods
+// agree?
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "core/build_scene.h"
+#include "tools/check_report.h"
+#include "tools/console.h"
+#include "tools/failure.h"
+#include "tools/interruption.h"
+#include "tools/parsing.h"
+#include "tools/progress.h"
+#include "tools/scene_source.h"
+#include "tools/verb.h"
+
+namespace wander {
+
+namespace {
+
+using Flat = Transport<Flatland>;
+
+// Of the whole command; shared by its decisions after Bonferroni.
+constexpr double false_alarm_of_all = 1e-6;
+constexpr int steps = 20;
+// A film needs more samples than a mutation: one method makes this many for each of --samples.
+constexpr std::uint64_t samples_per_film = 4;
+
+struct CheckOptions {
+  std::string scene;
+  MutationWeights mutations;
+  std::uint64_t samples = 200'000;
+};
+
+std::uint64_t parse_samples(std::string_view text) {
+  const Budget budget = parse_budget(text);
+  if (const auto* count = std::get_if<SampleBudget>(&budget)) return count->samples;
+  throw UsageError(
+      fmt::format("--samples '{}': allowed is a number of samples (200000, 200k, 2M)", text));
+}
+
+// Shows how many of the parts are done, and ends the command when it is interrupted.
+class Parts {
+ public:
+  Parts(const Session& session, const Run& run, std::size_t count)
+      : session_(session), run_(run), count_(static_cast<double>(count)) {}
+
+  void done(std::uint64_t samples) {
+    if (run_.is_interrupted())
+      throw CommandFailure(ExitCode::interrupted, "interrupted before the check was complete");
+    samples_ += samples;
+    done_ += 1;
+    if (session_.report) session_.report({done_ / count_, samples_, run_.seconds(), "checking"});
+  }
+
+ private:
+  const Session& session_;
+  const Run& run_;
+  double count_, done_ = 0;
+  std::uint64_t samples_ = 0;
+};
+
+void require_light(const Starts<Flat>& starts) {
+  if (starts.found_light()) return;
+  throw CommandFailure(
+      ExitCode::failure,
+      fmt::format("nothing can be checked: {} bidirectional samples found no light path from a "
+                  "light to the sensor; look for walls without a gap, a light or sensor that faces "
+                  "away, or a max_vertices that is too small",
+                  starts.tried()));
+}
+
+CheckReport check(const SceneDocument& document, const CheckOptions& options,
+                  const Session& session) {
+  const auto scene = build_flatland(document.scene);
+  const Flat space(*scene, Roulette::off);
+  const Family family = make_family(options.mutations, space.max_vertices());
+  const Starts<Flat> starts(space, session.seed);
+  require_light(starts);
+
+  const std::size_t mutations = selectable(family).size(), mixtures = mutations > 1 ? 1 : 0;
+  const std::size_t kernels = mutations + mixtures, methods = checked_methods().size();
+  const double false_alarm = false_alarm_of_all / static_cast<double>(3 * kernels + methods);
+  CheckReport report{.scene_name = document.scene.name,
+                     .scene_sha256 = document.sha256,
+                     .samples = options.samples,
+                     .method_samples = options.samples * samples_per_film,
+                     .seed = session.seed,
+                     .steps = steps,
+                     .false_alarm = false_alarm_of_all};
+  const Run run(session);
+  Parts parts(session, run, kernels + methods + 1);
+  check_kernels(space, family, starts,
+                {.samples = options.samples,
+                 .steps = steps,
+                 .seed = session.seed,
+                 .false_alarm = false_alarm},
+                run, [&](KernelCheck result) {
+                  parts.done(options.samples);
+                  report.mutations.push_back(std::move(result));
+                });
+  Session rendering = session;
+  rendering.budget = SampleBudget{report.method_samples};
+  rendering.report = nullptr;
+  report.methods = check_methods(document.scene, options.mutations, rendering, false_alarm,
+                                 [&] { parts.done(report.method_samples); });
+  return report;
+}
+
+ExitCode check_scene(const CheckOptions& options, const Global& global) {
+  if (!global.out.empty()) throw UsageError("check writes no files; --json prints one document");
+  const SceneDocument document = open_scene(options.scene);
+  for (const std::string& warning : scene_warnings(document, options.scene))
+    spdlog::warn("{}", warning);
+  CheckReport report;
+  {
+    Progress progress(global);
+    const Session session{.budget = SampleBudget{options.samples},
+                          .seed = global.seed,
+                          .threads = global.threads,
+                          .interrupted = &watch_for_interruption(),
+                          .report = progress.reporter()};
+    report = check(document, options, session);
+  }
+  if (global.json)
+    print_json(json_of(report));
+  else
+    print_data(text_of(report));
+  return report.passed() ? ExitCode::ok : ExitCode::check_failed;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Global& global) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* verb = app.add_subcommand(
+      "check", "test that each mutation leaves the target invariant and that the methods agree");
+  verb->add_option("SCENE", options->scene, "scene file, or gallery:NAME")
+      ->type_name("")
+      ->required();
+  verb->add_option_function<std::string>(
+          "--mutations",
+          [options](const std::string& text) { options->mutations = parse_mutations(text); },
+          "auto (the default: all that the scene can use), or the weights of some, as in render")
+      ->type_name("SPEC");
+  verb->add_option_function<std::string>(
+          "--samples",
+          [options](const std::string& text) { options->samples = parse_samples(text); },
+          "independent paths from which each mutation starts (default: 200k)")
+      ->type_name("N");
+  add_global_options(*verb, global);
+  verb->footer(
+      "\nEach mutation, and their mixture, starts from weighted independent paths and makes 1 and "
+      "20\nsteps; films are compared bin by bin.  Exit code 4 when anything fails.\n\n"
+      "Example:\n  wander check scene.json --samples 1M");
+  verb->callback([options, &global] {
+    global.job = [options, &global] { return check_scene(*options, global); };
+  });
+}
+
+}  // namespace wander

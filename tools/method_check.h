@@ -1,0 +1,40 @@
+// Do the methods agree?  Each film is held against that of bidirectional path tracing, bin by bin,
+// where both are reliable, by Welch's test on the error bars that the methods themselves state.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/decision.h"
+#include "core/description.h"
+#include "core/rendering.h"
+#include "core/session.h"
+#include "mlt/kernel_check.h"
+#include "mutations/catalogue.h"
+
+namespace wander {
+
+inline constexpr std::string_view reference_method = "bdpt";
+
+struct MethodCheck {
+  std::string method;
+  Verdict verdict = Verdict::untested;
+  std::string reason{};  // why it is untested
+  Decision decision{};
+};
+
+// The methods that are held against the reference; mlt among them.
+std::vector<std::string_view> checked_methods();
+
+// Films are equal within their errors; `worst` is a bin.
+MethodCheck compare_films(std::string method, const FilmEstimate& film,
+                          const FilmEstimate& reference, double false_alarm);
+
+// Renders the scene with each method and `session`'s budget.  Calls done() after each of the
+// renderings.
+std::vector<MethodCheck> check_methods(const description::Scene& scene,
+                                       const MutationWeights& weights, const Session& session,
+                                       double false_alarm, const std::function<void()>& done);
+
+}  // namespace wander
