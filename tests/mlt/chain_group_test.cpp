@@ -5,6 +5,7 @@
 #include <map>
 
 #include "mlt/mmlt_group.h"
+#include "mlt/pssmlt_group.h"
 #include "mlt/render.h"
 #include "mutations/catalogue.h"
 #include "mutations/kelemen.h"
@@ -81,6 +82,43 @@ TEST_F(PathGroups, MakesTheStepsOfItsOwnStreams) {
     EXPECT_EQ(records[m].failures, by_hand[m].failures);
     EXPECT_EQ(records[m].proposed_per_bin, by_hand[m].proposed_per_bin);
   }
+}
+
+// The same for chains of whole samples; a refused step leaves their state as it was.
+TEST(PssmltGroups, MakeTheStepsOfTheirOwnStreams) {
+  const FlatScene scene = build(diffuse_room());
+  const Flat space(*scene, Roulette::off);
+  const PrimaryKernel<Kelemen> kernel{Kelemen{}, 0.3};
+  SeedSlice<Flat, SampleSeeds> slice(space, seed, group, chains);
+  slice.run(samples);
+  GroupFilm film(scene->bins(), scene->max_vertices());
+  SplatSampler<Flat> sampler(space);
+  for (int k = 0; k < chains; ++k) {
+    PrimaryChain<SplatSampler<Flat>, Kelemen> chain(sampler, kernel);
+    ASSERT_TRUE(chain.start(sampler, slice.numbers(slice.seed(k), sampler.layout())));
+    Rng random(seed, Purpose::chain, static_cast<std::uint32_t>(group * chains + k));
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      random.start(i);
+      double expected = chain.current().total;
+      chain.step(sampler, random, [&](const PrimaryStep<SampleSplats>& step) {
+        deposit(step, ExpectedValues::deposit(step, {slice.tally().mean(), 0, 0.3}), film);
+        if (step.accepted()) expected = step.proposed.total;
+      });
+      ASSERT_EQ(chain.current().total, expected);
+    }
+  }
+  PssmltGroup<Flat, Kelemen, ExpectedValues> made(space, kernel, seed, group, chains);
+  made.add_seeds(samples);
+  made.start_chains(SeedTally(space.max_vertices()));
+  made.advance(100 * chains);
+  GroupsFilm actual({scene->bins()}), by_hand({scene->bins()});
+  MutationStatistics statistics(made.move_names(), scene->bins(), scene->max_vertices());
+  ChainDraws draws;
+  made.deliver(actual, statistics, draws);
+  by_hand.add(film, 1, 100 * chains);
+  const std::vector<double> a = actual.estimate().value, e = by_hand.estimate().value;
+  for (std::size_t bin = 0; bin < e.size(); ++bin)
+    EXPECT_NEAR(a[bin], e[bin], 1e-12 * slice.tally().mean()) << "bin " << bin;
 }
 
 // All light that others found is in paths of two vertices: 0.9 of the steps go there, and a tenth
