@@ -80,7 +80,17 @@ def check_tests_exist(mutant):
             raise Fault(f"{mutant.path}: no test file that matches {mutant.files} holds {suite}.{test}")
 
 
+LEFT_OUT_ID = re.compile(r"^\| ([A-Z]\d+) ", re.MULTILINE)
+
+
+def check_left_out(mutants):
+    twice = {m.id for m in mutants} & set(LEFT_OUT_ID.findall((FOLDER / "left_out.md").read_text()))
+    if twice:
+        raise Fault(f"{FOLDER / 'left_out.md'}: leaves out what is planted: {', '.join(sorted(twice))}")
+
+
 def check(mutants):
+    check_left_out(mutants)
     for mutant in mutants:
         check_applies(mutant)
         check_tests_exist(mutant)
@@ -114,7 +124,7 @@ def table(mutants):
 
 def document(mutants):
     left_out = (FOLDER / "left_out.md").read_text().strip()
-    left_out_count = len(re.findall(r"^\| [A-Z]\d", left_out, re.MULTILINE))
+    left_out_count = len(LEFT_OUT_ID.findall(left_out))
     parts = [
         "# Planted bugs\n",
         "<!-- Written by tests/mutants/run --docs; do not edit. -->\n",
@@ -123,7 +133,7 @@ def document(mutants):
         " beside it must fail.  The program itself has no switch for any of them.  The command also"
         " runs as the test `mutants` of the long suite; the quick suite checks that every patch"
         " still applies and that this page is in step.\n",
-        f"{len(mutants)} bugs are planted; {left_out_count} of the catalogue are left out, with"
+        f"{len(mutants)} bugs are planted; {left_out_count} more are left out, with"
         " their reasons below.\n",
     ]
     for letter, title in AREAS.items():
