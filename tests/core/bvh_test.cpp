@@ -149,5 +149,61 @@ TYPED_TEST(Hierarchy, HoldsShapesThatCoincide) {
   }
 }
 
+// Where rounding decides: rays at the ends of segments, from far away, or far from the origin of
+// the coordinates.  What a search finds there lies beyond the bounds by more than the last bit.
+TEST(Boxes, HoldWhatRoundingMakesOfTheEndsOfTheirShapes) {
+  using Point = Flatland::Point;
+  constexpr int count = 64;
+  Generator g(5);
+  for (const auto& [place, reach] : {std::pair(0.0, 1e6), {1e6, 1.5}}) {
+    std::vector<Point> corners;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2 * std::numbers::pi * i / count, radius = 0.2 + 0.8 * g.uniform();
+      corners.push_back(Point(place, 0.7 * place) +
+                        radius * Point(std::cos(angle), std::sin(angle)));
+    }
+    std::vector<Shape<Flatland>> shapes;
+    for (std::size_t i = 0; i < count; ++i)
+      shapes.push_back(Segment<Flatland>(corners[i], corners[(i + 1) % count]));
+    const Bvh<Flatland> bvh(shapes);
+    for (int i = 0; i < 20'000; ++i) {
+      const Point target = corners[static_cast<std::size_t>(count * g.uniform())];
+      const Point origin = target + reach * (0.5 + g.uniform()) * random_direction<2>(g);
+      const Ray<Flatland> ray{.origin = origin, .direction = glm::normalize(target - origin)};
+      const auto expected = Hierarchy<Flatland>::search(shapes, ray);
+      const auto hit = bvh.closest(ray);
+      ASSERT_EQ(bool(hit), bool(expected)) << "corner at " << target.x << ", " << target.y;
+      ASSERT_EQ(bvh.any(ray), bool(expected));
+    }
+  }
+}
+
+// Rays that graze circles where these touch their bounds.
+TEST(Boxes, HoldWhatRoundingMakesOfTheSummitsOfTheirShapes) {
+  using Point = Flatland::Point;
+  Generator g(6);
+  std::vector<Shape<Flatland>> shapes;
+  std::vector<std::pair<Point, double>> circles;
+  for (int i = 0; i < 64; ++i) {
+    circles.emplace_back(Point(10 * g.uniform(), 10 * g.uniform()), 0.2 * g.uniform());
+    shapes.push_back(Arc<Flatland>(circles.back().first, circles.back().second, 0,
+                                   2 * std::numbers::pi, Arc<Flatland>::Facing::outward));
+  }
+  const Bvh<Flatland> bvh(shapes);
+  int hits = 0;
+  for (int i = 0; i < 100'000; ++i) {
+    const auto& [center, radius] = circles[static_cast<std::size_t>(64 * g.uniform())];
+    const Point up = g.uniform() < 0.5 ? Point(0, 1) : Point(1, 0), along(up.y, up.x);
+    const double slope = 1e-16 * (2 * g.uniform() - 1), reach = 1e-3 + radius * g.uniform();
+    const Ray<Flatland> ray{.origin = center + radius * up + reach * along,
+                            .direction = slope * up - along};
+    const auto expected = Hierarchy<Flatland>::search(shapes, ray);
+    ASSERT_EQ(bool(bvh.closest(ray)), bool(expected)) << "ray " << i;
+    ASSERT_EQ(bvh.any(ray), bool(expected));
+    if (expected) ++hits;
+  }
+  EXPECT_GT(hits, 1000);
+}
+
 }  // namespace
 }  // namespace wander::test

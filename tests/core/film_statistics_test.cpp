@@ -91,6 +91,15 @@ TEST(FilmStatistics, AComparisonCountsTheErrorsOfBothFilms) {
   EXPECT_DOUBLE_EQ(comparison.covered_share, 0.75);
 }
 
+// 2 and 100 degrees of freedom of unequal errors are 14.5 together [Welch 1947], whose 95 %
+// interval reaches 2.14 errors; that of 2 degrees would reach 4.30.
+TEST(FilmStatistics, AComparisonCombinesTheDegreesOfFreedomOfBothFilms) {
+  FilmEstimate film = film_of({1.105, 1.109}, 0.03), reference = film_of({1, 1}, 0.04);
+  film.degrees_of_freedom = 2;
+  reference.degrees_of_freedom = 100;
+  EXPECT_DOUBLE_EQ(compare(film, reference).covered_share, 0.5);
+}
+
 TEST(FilmStatistics, ABinIsComparedOnlyWhereBothFilmsAreReliable) {
   FilmEstimate film = film_of({1, 9, 9}, 0.1);
   FilmEstimate reference = film_of({1, 1, 1}, 0.1);

@@ -72,6 +72,29 @@ TYPED_TEST(Materials, SampleTheSameFromBothEnds) {
   });
 }
 
+// G = 1 / (1 + Λ_i + Λ_o), and G1 = 1 / (1 + Λ) in the density, with Smith's Λ of GGX [Heitz 2014].
+TYPED_TEST(Materials, MaskAndShadowWithTheCorrelationOfHeights) {
+  using Direction = typename TestFixture::Direction;
+  Generator g(11);
+  for (const double roughness : {0.02, 0.2, 1.0}) {
+    const auto lambda = [&](Direction w) {
+      const double cosine = TestFixture::Dim::cosine(w);
+      const double tangent2 = TestFixture::Dim::squared_sine(w) / (cosine * cosine);
+      return (std::sqrt(1 + roughness * roughness * tangent2) - 1) / 2;
+    };
+    const RoughConductor<TypeParam> metal{roughness, 0.9};
+    for (int i = 0; i < 3000; ++i) {
+      const auto pair = TestFixture::pair(metal, g);
+      if (!pair) continue;
+      const auto& [light, sensor] = *pair;
+      const auto s = metal.evaluate(Event::scattering, light, sensor);
+      const double a = lambda(light), b = lambda(sensor);
+      ASSERT_NEAR(s.value / s.toward_sensor / (0.9 * (1 + a) / (1 + a + b)), 1, 1e-6);
+      ASSERT_NEAR(s.value / s.toward_light / (0.9 * (1 + b) / (1 + a + b)), 1, 1e-6);
+    }
+  }
+}
+
 // f |cos| / p of a sampled direction: flux never grows, radiance by no more than the index allows.
 TYPED_TEST(Materials, GiveSampledDirectionsABoundedWeight) {
   Generator g(3);

@@ -213,6 +213,16 @@ TEST_F(Output, AnExrOfEqualContentHasEqualBytesWhateverTheExecution) {
   EXPECT_NE(to_exr(run), to_exr(slower));
 }
 
+TEST_F(Output, WhatIsBeyondTheRangeOfAFloatIsInfiniteInAnExr) {
+  RunRecord run = markov_chain_run();
+  run.rendering.film.value = {1e39, -1e300, 3e38};
+  write_file(folder / "film.exr", to_exr(run));
+  const auto value = read_exr(folder / "film.exr").rendering.film.value;
+  EXPECT_EQ(value[0], std::numeric_limits<double>::infinity());
+  EXPECT_EQ(value[1], -std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isfinite(value[2]));
+}
+
 TEST_F(Output, AnImageKeepsItsWidthAndHeight) {
   RunRecord run;
   run.provenance.dimension = 3;
@@ -269,6 +279,7 @@ TEST(RunJson, ADocumentSaysWhatTheContractSays) {
   EXPECT_EQ(json["film"]["degrees_of_freedom"], 31.0);
   EXPECT_EQ(json["normalization"]["estimates"]["seed_pass"]["samples"], 100000);
   EXPECT_EQ(json["normalization"]["by_length"][0]["vertices"], 2);
+  EXPECT_EQ(json["normalization"]["by_length"][0]["standard_error"], 0.001);
   EXPECT_EQ(json["chains"], nlohmann::ordered_json::parse(R"({
     "count": 64, "groups": 32, "draws": 300, "stride": 8, "longest_rejection_run": 99,
     "r_hat": {"film": 1.004, "specular": null},
@@ -297,7 +308,9 @@ TEST(RunJson, AnIndependentSampleRunHasNoMarkovChainFields) {
   run.rendering.normalization.reset();
   run.rendering.chains = 0;
   run.rendering.mutations.clear();
+  run.rendering.complete = false;
   const nlohmann::ordered_json json = to_json(run);
+  EXPECT_EQ(json["complete"], false);
   for (const char* key : {"normalization", "chains", "mutations"}) EXPECT_FALSE(json.contains(key));
 }
 

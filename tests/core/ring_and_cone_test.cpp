@@ -37,6 +37,24 @@ TYPED_TEST(RingAndCone, OffsetsAreAsLongAsTheyShould) {
   }
 }
 
+// Evenly spaced numbers make offsets that balance, and are as long along each axis.
+TYPED_TEST(RingAndCone, OffsetsGoAllWaysAlike) {
+  constexpr int D = TestFixture::D, count = 1000;
+  constexpr double r = 0.3;
+  std::array<double, D - 1> sum{}, squares{};
+  for (int i = 0; i < count; ++i) {
+    const auto offset = Dimension<D>::ring_offset(r, (i + 0.5) / count);
+    for (std::size_t k = 0; k < offset.size(); ++k) {
+      sum[k] += offset[k];
+      squares[k] += offset[k] * offset[k];
+    }
+  }
+  for (std::size_t k = 0; k < sum.size(); ++k) {
+    EXPECT_NEAR(sum[k], 0, 1e-11);
+    EXPECT_NEAR(squares[k], count * r * r / (D - 1), 1e-11);
+  }
+}
+
 TYPED_TEST(RingAndCone, DirectionsAreAsFarAsTheyShould) {
   constexpr int D = TestFixture::D;
   Generator generator(2);

@@ -57,6 +57,28 @@ TEST(Rng, DrawsAStepAgainWithTheSameNumbers) {
   EXPECT_EQ(rng.uniform(), first);
 }
 
+// The bits are those of Philox with the counter (block, step, stream), and a key by splitmix64
+// [Steele, Lea and Flood 2014] of the seed and the purpose; 53 of 64 make a number.
+TEST(Rng, IsPhiloxOfItsName) {
+  constexpr std::uint64_t seed = 0x123456789abcdef0, step = 0x500000009;
+  constexpr std::uint32_t stream = 7;
+  std::uint64_t z = seed + 0x9E3779B97F4A7C15 * (static_cast<std::uint64_t>(Purpose::chain) + 1);
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EB;
+  z ^= z >> 31;
+  std::vector<double> expected;
+  for (const std::uint32_t block : {0u, 1u, 2u}) {
+    const auto r = philox({block, 9, 5, stream},
+                          {static_cast<std::uint32_t>(z), static_cast<std::uint32_t>(z >> 32)});
+    for (const int k : {0, 2}) {
+      const auto i = static_cast<std::size_t>(k);
+      const std::uint64_t bits = (std::uint64_t{r[i]} << 32) | r[i + 1];
+      expected.push_back(std::ldexp(static_cast<double>(bits >> 11), -53));
+    }
+  }
+  EXPECT_EQ(first_numbers(Rng(seed, Purpose::chain, stream), step, 6), expected);
+}
+
 TEST(Rng, NeverSharesANumberBetweenSeedsPurposesStreamsOrSteps) {
   std::set<double> seen;
   std::size_t drawn = 0;

@@ -58,6 +58,17 @@ TEST(Segments, ShareAnEndWithoutGapOrOverlap) {
   }
 }
 
+TEST(Segments, HaveTheirEndsInTheFirstAndTheLastBin) {
+  const Point2 from(0.1, 0.2), to(0.7, 1.3);
+  const Segment<Flatland> segment(from, to);
+  EXPECT_EQ(segment.parameter(from)[0], 0);
+  EXPECT_EQ(segment.parameter(from - (to - from))[0], 0);
+  for (const Point2& end : {to, 2.0 * to - from}) {
+    EXPECT_LT(segment.parameter(end)[0], 1);
+    EXPECT_GT(segment.parameter(end)[0], 1 - 1e-15);
+  }
+}
+
 TEST(Segments, BehaveTheSameTurnedByAQuarter) {
   Generator g(2);
   for (int i = 0; i < 10'000; ++i) {
@@ -153,6 +164,29 @@ TEST(Spheres, AreLeftAndMetAgainAtTheEndOfTheChord) {
     const auto other = ball.sample(random_square<3>(g));
     ASSERT_EQ(ball.intersect({point.position, other.position - point.position, 4, 4, 1}, 4), none);
   }
+}
+
+TEST(Arcs, HaveTheirEndsInTheFirstAndTheLastBin) {
+  const Point2 center(1, 2);
+  const Arc<Flatland> arc(center, 3, 0.4, 1.5, Arc<Flatland>::Facing::outward);
+  const auto parameter_at = [&](double angle) {
+    return arc.parameter(center + 3.0 * Point2(std::cos(angle), std::sin(angle)))[0];
+  };
+  EXPECT_NEAR(parameter_at(0.4 - 1e-12), 0, 1e-11);
+  EXPECT_NEAR(parameter_at(0.4 + 1.5 + 1e-12), 1, 1e-11);
+  EXPECT_LT(parameter_at(0.4 + 1.5 + 1e-12), 1);
+}
+
+TEST(Spheres, HaveTheAreaOfTheirDiametersCylinder) {
+  const Sphere<Spaceland> sphere({1, 2, 3}, 0.5, Sphere<Spaceland>::Facing::outward);
+  EXPECT_DOUBLE_EQ(sphere.measure(), std::numbers::pi);
+}
+
+TEST(Parallelograms, AreNotHitBehindARay) {
+  const Parallelogram<Spaceland> square({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  const Point3 above(0.5, 0.5, 1);
+  EXPECT_EQ(square.intersect({.origin = above, .direction = {0, 0, -1}}, 0), 1);
+  EXPECT_TRUE(std::isinf(square.intersect({.origin = above, .direction = {0, 0, 1}}, 0)));
 }
 
 TEST(Parallelograms, HaveTheNormalOfTheirEdgesAndEndAtThem) {

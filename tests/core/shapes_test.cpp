@@ -154,6 +154,9 @@ TYPED_TEST(Shapes, PutHitsOnThemselves) {
       ++hits;
       const auto hit = visit_shape([&](const auto& s) { return s.surface(ray, d); }, shape);
       ASSERT_NEAR(glm::length(hit.normal), 1, 1e-15);
+      // A grazing ray spreads the last bit of its distance.
+      const double grazing = std::abs(glm::dot(hit.normal, ray.direction));
+      ASSERT_LE(glm::length(hit.position - (origin + d * ray.direction)), 1e-13 / grazing);
       const auto again = TestFixture::sample(shape, TestFixture::parameter(shape, hit.position));
       ASSERT_NEAR(glm::length(again.position - hit.position), 0, 1e-12);
       ASSERT_LE(d, glm::length(target.position - origin) + 1e-7);

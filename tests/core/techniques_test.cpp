@@ -166,6 +166,31 @@ TEST_P(Techniques, DoNotSampleWhatTheyAreNotAskedFor) {
   }
 }
 
+TEST_P(Techniques, SampleOnlyWhatTheirSetHoldsAndTheVerticesAllow) {
+  constexpr TechniqueSet few{1, 2, 0, 3};
+  for_each_path(2000, [&](const Space& space, const Path<Flatland>& x, int) {
+    const int n = x.size();
+    const auto fixed = [&](int i) { return is_specular(x[i].event); };
+    for (int s = 0; s <= n; ++s) {
+      if (!few.holds(s, n - s)) ASSERT_FALSE(can_sample(space, x, s, few));
+      if (s > 0 && s < n && (fixed(s - 1) || fixed(s)))
+        ASSERT_FALSE(can_sample(space, x, s, all_techniques)) << path_class(x) << " s = " << s;
+    }
+  });
+}
+
+// A density that rounding made zero must not make a film infinite.
+TEST_P(Techniques, DeliverNothingThatIsNotFinite) {
+  for_each_path(200, [&](const Space& space, const Path<Flatland>& x, int s) {
+    Path<Flatland> y = x;
+    for (const double density : {0.0, 5e-324, -1.0}) {
+      y[0].from_light = y[0].from_sensor = density;
+      const double w = weighted_contribution(space, y, s, all_techniques, Heuristic::balance);
+      ASSERT_TRUE(std::isfinite(w) && w >= 0) << density;
+    }
+  });
+}
+
 // Light, mirror, sensor: only walks that reflect find it.
 TEST(SpecularTechniques, GiveExactlyNothingByConnection) {
   SceneMaker maker(3);

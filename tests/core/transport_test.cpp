@@ -59,6 +59,24 @@ TEST(FirstVertices, ExistForTheEndsOfTheUnitInterval) {
     }
 }
 
+// Ten times a tenth is less than one in floating point: rounding must not lead past the last light.
+TEST(FirstVertices, AreOnALightHoweverProbabilitiesAreRounded) {
+  for (int lights = 2; lights < 40; ++lights) {
+    SceneMaker maker(2);
+    maker.segment({0, 0}, {1, 0}, {.bins = 1});
+    for (int k = 0; k < lights; ++k) {
+      const double y = 1 + 0.1 * k;
+      maker.segment({1, y}, {0, y}, {.radiance = 1});
+    }
+    const auto scene = maker.build();
+    FlatPath x(2);
+    x.resize(2);
+    Space(*scene, Roulette::off)
+        .begin_light(x, 0, PointNumbers<Flatland>{std::nextafter(1.0, 0.0), {0.5}});
+    EXPECT_TRUE(x[0].place.shape >= 1 && x[0].place.shape <= lights) << lights << " lights";
+  }
+}
+
 // ---- connection
 // ----------------------------------------------------------------------------------
 
@@ -105,6 +123,95 @@ TEST_F(Connections, AreBlockedByWhatIsBetween) {
 TEST_F(Connections, NeedTwoPointsThatFaceEachOther) {
   EXPECT_EQ(connect(below(1), below(2)), Connection::facing_away);  // along the wall
   EXPECT_EQ(connect(below(1), below(1)), Connection::facing_away);  // one and the same point
+  const Place2 corner{{0, 0}, glm::normalize(Flatland::Point(1, 1)), {}, 2};
+  EXPECT_EQ(connect(below(0), corner), Connection::facing_away);  // the same, on another shape
+}
+
+// The ends of a connection lie within rounding of their surfaces, on either side.
+TEST_F(Connections, AreNotBlockedByTheSurfacesThatTheyEndOn) {
+  SceneMaker maker(2);
+  maker.segment({0, 0.1}, {4, 0.3}, {.bins = 1}).segment({3.7, 2.1}, {0, 1.7}, {.radiance = 1});
+  maker.circle({7, 1.1}, 0.3, {});
+  scene_ = maker.build();
+  Rng random(1, Purpose::test, 1);
+  const auto point_on = [&](ShapeId id) {
+    const double u = random.uniform();
+    const auto p = visit_shape([u](const auto& s) { return s.sample({u}); }, scene_->shape(id));
+    return Place2{p.position, p.normal, {}, id};
+  };
+  for (int i = 0; i < 10'000; ++i) {
+    const Place2 a = point_on(0), b = point_on(1), c = point_on(2);
+    ASSERT_EQ(connect(a, b), Connection::open);
+    ASSERT_EQ(connect(b, a), Connection::open);
+    if (glm::dot(b.position - c.position, c.normal) > 0) ASSERT_EQ(connect(b, c), Connection::open);
+  }
+}
+
+TEST_F(Connections, AreBlockedByWhatIsJustBeforeTheirEnd) {
+  for (const double gap : {1e-3, 1e-6, 1e-9}) {
+    SceneMaker maker(2);
+    maker.segment({0, 0}, {4, 0}, {.bins = 1}).segment({4, 2}, {0, 2}, {.radiance = 1});
+    maker.segment({0, gap}, {4, gap});
+    scene_ = maker.build();
+    EXPECT_EQ(connect(above(1), below(2)), Connection::occluded) << gap;
+    EXPECT_EQ(connect(below(2), above(1)), Connection::occluded) << gap;
+  }
+}
+
+// ---- values and densities
+// ------------------------------------------------------------------------
+
+// Light, wall, sensor, with every number from its definition: ∫ cos θ dω = 2 in the plane.
+class Vertices : public ::testing::TestWithParam<Roulette> {
+ protected:
+  void SetUp() override {
+    SceneMaker maker(3);
+    maker.segment({0, 0}, {4, 0}, {.bins = 1}).segment({4, 2}, {0, 2}, {.radiance = 3});
+    maker.segment({0, 2}, {0, 0}, {maker.diffuse(0.6)});
+    maker.segment({5, 0}, {5, 2}, {.radiance = 1});  // another light: 2 W beside 12
+    scene_ = maker.build();
+  }
+  // The points (1, 2), (0, 1) and (2, 0), evaluated; `flipped` turns the normals of the ends.
+  FlatPath path(bool flipped) {
+    FlatPath x(3);
+    x.resize(3);
+    const double side = flipped ? -1 : 1;
+    x[0].place = {{1, 2}, {0, -side}, {}, 1};
+    x[1].place = {{0, 1}, {1, 0}, {}, 2};
+    x[2].place = {{2, 0}, {0, side}, {}, 0};
+    x[0].event = Event::emission;
+    x[2].event = Event::detection;
+    const Space space(*scene_, GetParam());
+    for (const int i : {0, 1}) EXPECT_EQ(space.connect(x, i), Connection::open);
+    for (const int i : {0, 1, 2}) space.evaluate(x, i);
+    return x;
+  }
+  std::unique_ptr<const Scene<Flatland>> scene_;
+};
+INSTANTIATE_TEST_SUITE_P(Roulettes, Vertices,
+                         ::testing::Values(Roulette::off, Roulette::by_albedo));
+
+TEST_P(Vertices, HaveTheValuesAndDensitiesOfTheirDefinitions) {
+  const FlatPath x = path(false);
+  const double g0 = 0.5 / std::sqrt(2), g1 = 0.4 / std::sqrt(5);
+  const double survival = GetParam() == Roulette::off ? 1 : 0.6;
+  EXPECT_NEAR(x[0].value, 3, 1e-15);
+  EXPECT_NEAR(x[1].value, 0.6 / 2, 1e-15);
+  EXPECT_NEAR(x[2].value, 1.0 / 4, 1e-15);
+  EXPECT_NEAR(x[0].from_light, 3.0 / 14, 1e-15);
+  EXPECT_NEAR(x[1].from_light, g0 / 2, 1e-15);
+  EXPECT_NEAR(x[2].from_light, survival * g1 / 2, 1e-15);
+  EXPECT_NEAR(x[2].from_sensor, 1.0 / 4, 1e-15);
+  EXPECT_NEAR(x[1].from_sensor, g1 / 2, 1e-15);
+  EXPECT_NEAR(x[0].from_sensor, survival * g0 / 2, 1e-15);
+}
+
+TEST_P(Vertices, NeitherShineNorListenOnTheirBacks) {
+  const FlatPath x = path(true);
+  EXPECT_EQ(x[0].value, 0);
+  EXPECT_EQ(x[1].from_light, 0);
+  EXPECT_EQ(x[2].value, 0);
+  EXPECT_EQ(x[1].from_sensor, 0);
 }
 
 // ---- inversion

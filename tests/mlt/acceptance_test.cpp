@@ -64,6 +64,37 @@ struct OneNumber {
   int choose(std::span<const double>) const { return 0; }
 };
 
+// Counts what it is asked for: the numbers 0, 1/8, 2/8 …
+struct CountedNumbers {
+  int drawn = 0;
+  double uniform() { return drawn++ / 8.0; }
+  int choose(std::span<const double>) { return drawn++, 0; }
+};
+
+// Fails once; draws two numbers for each proposal.
+struct FailingOnce {
+  static constexpr std::string_view name = "failing once";
+  PointPath proposed;
+  mutable int proposals = 0;
+
+  double applicability(const Graph&, const PointPath&) const { return 1; }
+  template <class Random>
+  Proposed propose(const Graph&, const PointPath&, PointPath& y, Random& random) const {
+    for (int k = 0; k < 2; ++k) random.uniform();
+    y = proposed;
+    return proposals++ == 0 ? Proposed(Failure{Reason::occluded}) : Proposal{1, 1e9};
+  }
+};
+
+// Draws two numbers of no use.
+struct Drawing : Claiming {
+  template <class Random>
+  Proposed propose(const Graph& g, const PointPath& x, PointPath& y, Random& random) const {
+    for (int k = 0; k < 2; ++k) random.uniform();
+    return Claiming::propose(g, x, y, random);
+  }
+};
+
 double accept(double r) { return acceptance(1, 1, r, 1); }
 
 }  // namespace
@@ -156,6 +187,27 @@ TEST_F(Acceptance, AChainMovesExactlyWhenItsRandomNumberIsBelowTheAcceptance) {
     });
     EXPECT_EQ(chain.current().size(), u < a ? 3 : 2);
     EXPECT_EQ(chain.current().contribution, u < a ? contribution(there) : here.contribution);
+  }
+}
+
+TEST_F(Acceptance, AFailedProposalIsAStepAndIsNotRepeated) {
+  const Mixture<FailingOnce> kernel({1}, FailingOnce{there});
+  Chain<Graph, Mixture<FailingOnce>> chain(graph, kernel, here);
+  for (const Reason expected : {Reason::occluded, Reason::none}) {
+    CountedNumbers random;
+    chain.step(random, [&](const Step<Pointland>& s) { EXPECT_EQ(s.reason, expected); });
+  }
+}
+
+// One choice of the mixture and two numbers of the mutation come before; the fourth is ⅜.
+TEST_F(Acceptance, IsDecidedByANumberThatNothingElseHasUsed) {
+  const double ratio = (contribution(there) / here.contribution).value();
+  for (const double a : {0.37, 0.38}) {
+    const Mixture<Drawing> kernel({1}, Drawing{{there, {ratio, a}}});
+    Chain<Graph, Mixture<Drawing>> chain(graph, kernel, here);
+    CountedNumbers random;
+    chain.step(random, [&](const Step<Pointland>& s) { EXPECT_EQ(s.accepted(), a > 0.375); });
+    EXPECT_EQ(random.drawn, 4);
   }
 }
 

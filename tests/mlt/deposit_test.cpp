@@ -62,11 +62,13 @@ TEST(DepositOfOneStep, IsSharedByTheTwoPathsInProportionToTheAcceptance) {
   const FlatScene scene = build(diffuse_room());
   const Flat space(*scene, Roulette::off);
   Starts<Flat> starts(space, 2);
-  const auto draw = [&](std::uint64_t from, int other_than) {
+  const auto draw = [&](std::uint64_t from, int other_bin, int other_size) {
     for (std::uint64_t i = from;; ++i)
-      if (starts.draw(i) > 0 && space.bin(starts.path()) != other_than) return starts.path();
+      if (starts.draw(i) > 0 && space.bin(starts.path()) != other_bin &&
+          starts.path().size() != other_size)
+        return starts.path();
   };
-  const Path<W> x = draw(0, -1), y = draw(100, space.bin(x));
+  const Path<W> x = draw(0, -1, 0), y = draw(100, space.bin(x), x.size());
   const int bin_x = space.bin(x), bin_y = space.bin(y);
   for (const Reason decision : {Reason::none, Reason::metropolis}) {
     for (const double a : {0.0, 0.25, 1.0}) {
@@ -75,6 +77,14 @@ TEST(DepositOfOneStep, IsSharedByTheTwoPathsInProportionToTheAcceptance) {
       EXPECT_EQ(film.weight(static_cast<std::size_t>(bin_x)), 1 - a);
       EXPECT_EQ(film.weight(static_cast<std::size_t>(bin_y)), a);
       EXPECT_EQ(total(film), 1);
+      auto lengths = film.lengths().scaled(1);
+      const auto in_film_of = [&](int vertices, int bin) {
+        auto& of_length = lengths[vertices];
+        of_length.resize(film.bins());
+        return of_length[static_cast<std::size_t>(bin)];
+      };
+      EXPECT_EQ(in_film_of(x.size(), bin_x), 1 - a);
+      EXPECT_EQ(in_film_of(y.size(), bin_y), a);
     }
   }
 }
@@ -135,10 +145,11 @@ TEST(GroupsFilm, TrustsABinOnlyWithEnoughEffectiveSamples) {
   GroupsFilm steady({2}), jumpy({2});
   for (int g = 0; g < 64; ++g) {
     steady.add(group(g % 2 == 0 ? 3 : 2, 1), 1.0, 4);
-    jumpy.add(group(g == 0 ? 100 : 0, 1), 1.0, 4);
+    jumpy.add(group(g == 0 ? 100 : 0, 0), 1.0, 4);
   }
   EXPECT_TRUE(steady.estimate().reliable[0]);
   EXPECT_FALSE(jumpy.estimate().reliable[0]);
+  EXPECT_FALSE(jumpy.estimate().reliable[1]) << "what nothing reached may be dark or missed";
 }
 
 }  // namespace

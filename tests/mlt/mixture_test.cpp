@@ -82,6 +82,8 @@ TEST(Mixture, SelectionProbabilitiesSumToOneOrAreAllZero) {
     const auto s = kernel.probabilities(world.graph, world.states[x]);
     EXPECT_NEAR(s[0] + s[1] + s[2], 1, rounding);
     EXPECT_EQ(s[2], 0);
+    const double other = 2 * OtherSensor{}.applicability(world.graph, world.states[x]);
+    EXPECT_NEAR(s[1], other / (0.3 + other), rounding);
     const auto t = lame.probabilities(world.graph, world.states[x]);
     EXPECT_EQ(t[0], world.states[x].size() == 2 ? 0 : 1);
   }
@@ -136,7 +138,7 @@ TEST(Mixture, RefusesWhereNothingIsApplicable) {
   Chain<Graph, Mixture<Idle>> chain(world.graph, kernel, world.states[0]);
   Rng random(1, Purpose::test, 0);
   chain.step(random, [](const Step<Pointland>& step) {
-    EXPECT_FALSE(step.accepted());
+    EXPECT_EQ(step.reason, Reason::not_applicable);
     EXPECT_EQ(step.acceptance, 0);
   });
 }

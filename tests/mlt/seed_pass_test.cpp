@@ -123,12 +123,17 @@ TEST_P(SeedPass, ItsTallyIsTheSumOverItsPaths) {
   slice.run(samples / 2);
   std::map<std::uint64_t, double> by_sample;
   std::map<int, double> by_length;
+  std::map<std::pair<std::uint64_t, int>, double> by_sample_and_length;
   double total = 0, squares = 0;
   for (const Found& f : paths_of_slice(space_, 9, 0, samples)) {
     by_sample[f.sample] += f.weight;
     by_length[f.path.size()] += f.weight;
+    by_sample_and_length[{f.sample, f.path.size()}] += f.weight;
     total += f.weight;
   }
+  std::map<int, double> squares_by_length;
+  for (const auto& [key, value] : by_sample_and_length)
+    squares_by_length[key.second] += value * value;
   for (const auto& [sample, value] : by_sample) squares += value * value;
   const SeedTally& tally = slice.tally();
   EXPECT_EQ(tally.samples, samples);
@@ -142,9 +147,73 @@ TEST_P(SeedPass, ItsTallyIsTheSumOverItsPaths) {
   const double n = samples, mean = total / n;
   EXPECT_NEAR(b.value, mean, 1e-12 * mean);
   EXPECT_NEAR(b.standard_error, std::sqrt((squares / n - mean * mean) / (n - 1)), 1e-9 * mean);
-  double shares = 0;
-  for (const LengthShare& share : b.by_length) shares += share.value;
-  EXPECT_NEAR(shares, b.value, 1e-12 * b.value);
+  ASSERT_EQ(b.by_length.size(), by_length.size());
+  for (const LengthShare& share : b.by_length) {
+    const double m = by_length.at(share.vertices) / n;
+    const double m2 = squares_by_length.at(share.vertices) / n;
+    EXPECT_NEAR(share.value, m, 1e-12 * mean);
+    EXPECT_NEAR(share.standard_error, std::sqrt((m2 - m * m) / (n - 1)), 1e-9 * mean);
+  }
+}
+
+// The seeds of a group are reservoirs, filled with the numbers of its own stream [Chao 1982].
+TEST_P(SeedPass, AGroupChoosesItsSeedsWithItsOwnNumbers) {
+  constexpr int chains = 5;
+  for (const int group : {0, 3}) {
+    std::array<Seed, chains> expected;
+    Rng random(10, Purpose::resample, static_cast<std::uint32_t>(group));
+    Sum total;
+    std::uint64_t sample = ~std::uint64_t{0};
+    for (const Found& f : paths_of_slice(space_, 10, group, 400)) {
+      if (f.sample != sample) random.start(sample = f.sample);
+      total += f.weight;
+      for (Seed& seed : expected)
+        if (random.uniform() < f.weight / total.value())
+          seed = {f.sample, f.path.size(), f.technique, f.weight};
+    }
+    SeedSlice<Flat> slice(space_, 10, group, chains);
+    slice.run(400);
+    for (int k = 0; k < chains; ++k) {
+      const Seed& seed = slice.seed(k);
+      const Seed& by_hand = expected[static_cast<std::size_t>(k)];
+      EXPECT_EQ(seed.sample, by_hand.sample) << "group " << group << ", chain " << k;
+      EXPECT_EQ(seed.technique, by_hand.technique);
+      EXPECT_EQ(seed.weight, by_hand.weight);
+    }
+  }
+}
+
+TEST(SeedTally, OfTwoSlicesIsTheTallyOfAllTheirSamples) {
+  SeedTally tally(4), other(4);
+  tally.samples = 3, other.samples = 5;
+  tally.total += 4, tally.total_squares += 10;
+  other.total += 2, other.total_squares += 8;
+  tally.sum[1] += 4, tally.squares[1] += 10;
+  other.sum[1] += 2, other.squares[1] += 8;
+  tally.merge(other);
+  EXPECT_EQ(tally.samples, 8u);
+  EXPECT_EQ(tally.mean(), 6.0 / 8);
+  EXPECT_EQ(tally.effective_samples(), 36.0 / 18);
+  EXPECT_EQ(tally.sum[1].value(), 6);
+  EXPECT_EQ(tally.squares[1].value(), 18);
+}
+
+// 64 samples cannot carry a hundred effective ones.
+TEST(StarvedSeedPass, LeavesNoErrorBarTrusted) {
+  const FlatScene scene = build(diffuse_room());
+  const Flat space(*scene, Roulette::off);
+  const Family family = make_family({}, space.max_vertices());
+  Session session;
+  session.budget = SampleBudget{100'000};
+  const auto run = [&](std::uint64_t seeds) {
+    return ChainRenderer(space, family, session,
+                         ChainSettings{.seed_share = 0, .fewest_seeds = seeds})
+        .render("mlt");
+  };
+  const Rendering starved = run(64), fed = run(4096);
+  EXPECT_EQ(std::ranges::count(starved.film.reliable, true), 0);
+  EXPECT_FALSE(starved.warnings.empty());
+  EXPECT_GT(std::ranges::count(fed.film.reliable, true), 0);
 }
 
 TEST(SeedReplay, ASeedThatIsNotInTheSliceIsRefused) {

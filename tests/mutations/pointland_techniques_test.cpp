@@ -99,4 +99,29 @@ TEST(PointlandTechniques, TheLargeStepKeepsTheTargetAndHasTheDensityThatItClaims
   }
 }
 
+// What a seed pass found that saw two lengths, and of them the techniques that hit the light and
+// one more.  Where nothing was found the large step must go all the same.
+SeedTally seeds_found(int max_vertices) {
+  SeedTally seeds(max_vertices);
+  seeds.samples = 10;
+  seeds.total += 4;
+  seeds.sum[0] += 1, seeds.sum[1] += 3;
+  seeds.techniques.row(2)[0] = 1;
+  seeds.techniques.row(3)[0] = 1, seeds.techniques.row(3)[1] = 2;
+  return seeds;
+}
+
+TEST(PointlandTechniques, ALargeStepThatHasLearntKeepsTheTargetAndReachesEveryPath) {
+  for (const GraphPlan& plan : plans_of(4)) {
+    const Graph graph(plan);
+    const StateSpace states(graph);
+    Mixture<PrimaryLarge> kernel({1.0}, PrimaryLarge(graph.max_vertices()));
+    kernel.learn(seeds_found(graph.max_vertices()));
+    EXPECT_LT(large_step_defect(graph, states, kernel), rounding) << plan.name;
+    const Defects d = defects(states.pi(), transition_matrix(graph, states, kernel));
+    EXPECT_LT(d.invariance, rounding) << plan.name;
+    EXPECT_LT(d.balance, rounding) << plan.name;
+  }
+}
+
 }  // namespace wander::test

@@ -8,8 +8,8 @@
 #include <unordered_map>
 
 #include "mlt/mixture.h"
-#include "tests/mutations/pointland_moves.h"
 #include "tests/support/enumeration.h"
+#include "tests/support/pointland_moves.h"
 
 namespace wander::test {
 

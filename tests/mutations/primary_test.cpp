@@ -163,6 +163,36 @@ TEST_P(InverseMap, MakesTheSamePathWithEveryTechniqueThatCan) {
   EXPECT_GT(round_trips, 1000);
 }
 
+// T(x→y) = w_s(x) K p_s(y) with the technique s that the first number chooses; K is the same both
+// ways, so T(x→y) / T(y→x) is known.
+TEST_P(InverseMap, OfASmallStepHasTheDensitiesOfOneTechnique) {
+  const FlatScene scene = build(lit_scenes()[static_cast<std::size_t>(GetParam())].scene);
+  const Flat space(*scene, Roulette::off);
+  PathSampler<Flat> sampler(space, all_techniques, Heuristic::balance);
+  Rng random(1, Purpose::test, 12), numbers(1, Purpose::test, 13);
+  Path<W> x(space.max_vertices()), y(space.max_vertices());
+  int proposals = 0;
+  for (std::uint64_t i = 0; i < 2000; ++i) {
+    random.start(i);
+    numbers.start(i);
+    sampler.sample(random, [&](const Path<W>& found, int, double) {
+      x = found;
+      measure(space, x);
+      Rng again = numbers;
+      const auto s = static_cast<std::size_t>(again.choose(x.weights()));
+      const Proposed proposed = PrimarySmall{}.propose(space, x, y, numbers);
+      const Proposal* p = std::get_if<Proposal>(&proposed);
+      if (!p || p->reverse.is_zero()) return;
+      ++proposals;
+      const int technique = static_cast<int>(s);
+      const Scaled there = Scaled(x.weights()[s]) * technique_density(y, technique);
+      const Scaled back = Scaled(y.weights()[s]) * technique_density(x, technique);
+      ASSERT_NEAR((p->forward / p->reverse / (there / back)).value(), 1, 1e-12);
+    });
+  }
+  EXPECT_GT(proposals, 500);
+}
+
 INSTANTIATE_TEST_SUITE_P(Rooms, InverseMap,
                          ::testing::Range(0, static_cast<int>(lit_scenes().size())),
                          [](const auto& test) {
