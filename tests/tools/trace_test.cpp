@@ -159,7 +159,7 @@ TEST_F(TraceCommand, EveryMistakeInItsCommandLineIsExitTwo) {
                                 "trace box.json -o t.nc --window 5:5",
                                 "trace box.json -o t.nc --window 0:11 --steps 10",
                                 "trace box.json -o t.nc --steps 1000000000",
-                                "trace box.json -o t.nc --mutations lens=1",
+                                "trace box.json -o t.nc --mutations shove=1",
                                 "trace box.json --replay 1",
                                 "trace box.json --replay 1:x",
                                 "trace box.json --replay -1:0",
