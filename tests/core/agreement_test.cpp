@@ -52,7 +52,7 @@ TEST(Estimators, AgreeAmongAllMaterialsForEachLength) {
   const auto scene = full_room(8).build();
   std::vector<SampledFilm> films;
   for (const Estimator& estimator : estimators())
-    films.push_back(sample_film(*scene, estimator, 200'000, films.size() + 1));
+    films.push_back(sample_film(*scene, estimator, 100'000, films.size() + 1));
   for (std::size_t a = 0; a < films.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
       EXPECT_TRUE(passes(agree(films[a], films[b])))
@@ -88,10 +88,10 @@ TEST(RussianRoulette, ChangesNoExpectation) {
     Estimator with = find_estimator(name), without = with;
     with.roulette = Roulette::by_albedo;
     without.roulette = Roulette::off;
-    const auto reference = sample_film(*scene, without, 100'000, 1);
-    EXPECT_TRUE(passes(agree(sample_film(*scene, with, 100'000, 2), reference))) << name;
+    const auto reference = sample_film(*scene, without, 60'000, 1);
+    EXPECT_TRUE(passes(agree(sample_film(*scene, with, 60'000, 2), reference))) << name;
     EXPECT_TRUE(rejects(agree(
-        sample_film_in(Forgetful(*scene), with.techniques, with.heuristic, 100'000, 2), reference)))
+        sample_film_in(Forgetful(*scene), with.techniques, with.heuristic, 60'000, 2), reference)))
         << name;
   }
 }
@@ -102,7 +102,7 @@ TEST(Heuristics, ChangeNoExpectation) {
   balance.heuristic = Heuristic::balance;
   power.heuristic = Heuristic::power;
   EXPECT_TRUE(passes(
-      agree(sample_film(*scene, balance, 100'000, 1), sample_film(*scene, power, 100'000, 2))));
+      agree(sample_film(*scene, balance, 60'000, 1), sample_film(*scene, power, 60'000, 2))));
 }
 
 }  // namespace

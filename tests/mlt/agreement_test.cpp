@@ -25,13 +25,13 @@ Session session_of(std::uint64_t samples) {
 template <class Kernel>
 FilmEstimate by_chains(const Scene<Flatland>& scene, const Kernel& kernel) {
   const Flat space(scene, Roulette::off);
-  const Session session = session_of(200'000);
+  const Session session = session_of(140'000);
   return ChainRenderer(space, kernel, session, ChainSettings{}).render("mlt").film;
 }
 FilmEstimate by_samples(const Scene<Flatland>& scene) {
   for (const Estimator& estimator : estimators())
     if (std::string_view(estimator.name) == "bdpt")
-      return estimate(scene, estimator, session_of(1'000'000)).film;
+      return estimate(scene, estimator, session_of(400'000)).film;
   throw std::logic_error("no bdpt");
 }
 
