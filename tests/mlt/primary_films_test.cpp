@@ -80,7 +80,7 @@ TEST_P(PrimaryFilms, AreThoseOfIndependentSamples) {
       if (std::string_view(estimator.name) == "bdpt")
         samples = estimate(*scene, estimator, budget_of(40'000, 2));
     const Decision agree =
-        films_agree(render(*scene, 25'000).film, samples.film, usual_false_alarm);
+        films_agree(render(*scene, 40'000).film, samples.film, usual_false_alarm);
     EXPECT_TRUE(passes(agree));
     EXPECT_GE(agree.comparisons, std::size_t{3});
   }

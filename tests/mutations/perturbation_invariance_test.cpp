@@ -3,7 +3,7 @@
 // sensor, curves, chains of specular vertices, lenses.  Where one cannot act, it says so.
 //
 // False alarms: 1e-7 per test, shared by its three decisions; perturbation_twins_test.cpp shows
-// that the same samples suffice to see a flaw.
+// that so many samples suffice to see most flaws, and how many the others take.
 #include <gtest/gtest.h>
 
 #include "mutations/catalogue.h"

@@ -22,14 +22,14 @@ constexpr PerturbationRange wide{.position{1e-3, 0.4}, .angle{1e-3, 0.7}};
 constexpr PerturbationRange far{.position{0.05, 0.9}, .angle{0.05, 1.3}};
 
 template <class Kernel>
-InvarianceReport report_of(Room room, const Kernel& kernel, std::uint64_t samples = 40'000) {
+InvarianceReport report_of(Room room, const Kernel& kernel, std::uint64_t samples = 30'000) {
   const FlatScene scene = build(room());
   return test_invariance(Flat(*scene, Roulette::off), kernel, {.samples = samples, .steps = 10});
 }
 
 template <class Mutation>
 ::testing::AssertionResult caught(Room room, const Mutation& mutation,
-                                  std::uint64_t samples = 40'000) {
+                                  std::uint64_t samples = 30'000) {
   return test::caught(report_of(room, alone(mutation), samples));
 }
 
@@ -53,7 +53,7 @@ TEST(PerturbationTwin, WithADensityOfDirectionsForOneOfAreaIsCaught) {
 }
 
 TEST(PerturbationTwin, WithoutTheCosineOfAFilmIsCaught) {
-  EXPECT_TRUE(caught(pinhole_room, In<Lens, WithoutFilmSpread>{{far}}));
+  EXPECT_TRUE(caught(pinhole_room, In<Lens, WithoutFilmSpread>{{far}}, 100'000));
   EXPECT_TRUE(caught(thin_lens_room, In<Lens, WithoutFilmSpread>{{far}}, 100'000));
 }
 

@@ -27,7 +27,7 @@ InvarianceReport report_of(double lens_radius, const Kernel& kernel,
   const Scene<Spaceland> scene(box_by(lens_radius));
   return test_invariance(
       Space(scene, Roulette::off), kernel,
-      {.samples = samples, .steps = 10, .seed = 4, .false_alarm = usual_false_alarm / 3});
+      {.samples = samples, .steps = 20, .seed = 4, .false_alarm = usual_false_alarm / 3});
 }
 
 class InABox : public ::testing::TestWithParam<double> {
