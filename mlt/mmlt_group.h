@@ -9,7 +9,7 @@
 #pragma once
 
 #include "mlt/group.h"
-#include "mlt/multiplexed_path.h"
+#include "mlt/multiplexed_chain.h"
 #include "mlt/primary_estimator.h"
 
 namespace wander {
@@ -58,8 +58,7 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
   MmltGroup(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int)
       : SeededGroup<Space, LengthSeeds>(space, seed, group, space.max_vertices() - 1, move_names()),
         kernel_(kernel),
-        seed_(seed),
-        group_(group) {}
+        numbers_(seed, group, chains()) {}
 
   static constexpr std::span<const std::string_view> move_names() { return primary_move_names; }
   bool takes_steps() const { return slice_.found_light() || !Estimator::needs_seed; }
@@ -67,22 +66,18 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
 
   void start_chains(const SeedTally& others) {
     if (!takes_steps()) return;
-    Rng choice(seed_, Purpose::lengths, static_cast<std::uint32_t>(group_));
-    lengths_ = LengthSequence(shares_of_steps(others), choice.uniform());
+    lengths_ = LengthSequence(shares_of_steps(others), numbers_.first_length());
     for (int k = 0; k < chains(); ++k) {
       const int n = k + 2;
       const double scale = 1 / lengths_.share(static_cast<std::size_t>(k));
-      const MultiplexedSampler<Space> sampler(space_, n);
-      chains_.push_back(
-          {sampler,
-           PrimaryChain<MultiplexedSampler<Space>, SmallStep>(sampler, kernel_),
-           Rng(seed_, Purpose::chain, static_cast<std::uint32_t>(group_ * chains() + k)),
-           RejectionRuns(primary_move_names.size()),
-           0,
-           {this->tally().mean(n), others.mean(n), kernel_.large_step},
-           scale});
-      const double place = choice.uniform();
-      if (slice_.seed(k).weight > 0) start(chains_.back(), slice_.seed(k), place);
+      chains_.push_back({MultiplexedChain<Space, SmallStep>(space_, kernel_, n),
+                         numbers_.chain(k),
+                         RejectionRuns(primary_move_names.size()),
+                         0,
+                         {this->tally().mean(n), others.mean(n), kernel_.large_step},
+                         scale});
+      const Seed& seed = slice_.seed(k);
+      if (seed.weight > 0) chains_.back().chain.start(slice_, seed, numbers_.place(k));
     }
   }
 
@@ -107,8 +102,7 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
   using Base::steps_;
 
   struct Member {
-    MultiplexedSampler<Space> sampler;
-    PrimaryChain<MultiplexedSampler<Space>, SmallStep> chain;
+    MultiplexedChain<Space, SmallStep> chain;
     Rng random;
     RejectionRuns runs;
     std::uint64_t steps;
@@ -116,31 +110,20 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
     double scale;  // 1 / q_n
   };
 
-  // The path of a seed, whose weight must come out as it was, bit for bit.
-  void start(Member& member, const Seed& seed, double place) {
-    const PrimaryLayout<W> layout(space_.max_vertices());
-    const PrimaryNumbers numbers =
-        member.sampler.coordinates_of(slice_.numbers(seed, layout), layout, seed.technique, place);
-    if (!member.chain.start(member.sampler, numbers) ||
-        member.chain.current().total != member.sampler.techniques() * seed.weight)
-      throw SeedReplayError("a seed path could not be made again by its technique alone");
-  }
-
   void step(Member& member) {
     member.random.start(member.steps);
     statistics_.timed(member.steps++, [&] {
       int move = 0;
-      member.chain.step(
-          member.sampler, member.random, [&](const PrimaryStep<MultiplexedPath<W>>& step) {
-            PrimaryDeposit weights = Estimator::deposit(step, member.constants);
-            weights.current *= member.scale;
-            weights.proposed *= member.scale;
-            deposit(step, weights, film_);
-            statistics_.observe(
-                primary_observation(step, features_of(step.current), features_of(step.proposed)),
-                member.runs);
-            move = step.mutation();
-          });
+      member.chain.step(member.random, [&](const PrimaryStep<MultiplexedPath<W>>& step) {
+        PrimaryDeposit weights = Estimator::deposit(step, member.constants);
+        weights.current *= member.scale;
+        weights.proposed *= member.scale;
+        deposit(step, weights, film_);
+        statistics_.observe(
+            primary_observation(step, features_of(step.current), features_of(step.proposed)),
+            member.runs);
+        move = step.mutation();
+      });
       return move;
     });
   }
@@ -149,8 +132,7 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
   }
 
   Kernel kernel_;
-  std::uint64_t seed_;
-  int group_;
+  LengthNumbers numbers_;
   LengthSequence lengths_{{}, 0};
   std::vector<Member> chains_;
 };

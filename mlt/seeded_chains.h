@@ -6,60 +6,48 @@
 // possible are drawn on, for chains of one group share their slice of the seed pass.
 #pragma once
 
-#include <memory>
-#include <stdexcept>
+#include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
-#include "mlt/render.h"
+#include "mlt/seed_slices.h"
 
 namespace wander {
-
-// The run was interrupted before there was anything to keep.
-class NothingComputed : public std::runtime_error {
- public:
-  NothingComputed() : std::runtime_error("interrupted before the first step") {}
-};
 
 template <class Space, class Kernel>
 class SeededChains {
  public:
   using W = typename Space::Universe;
+  static constexpr std::span<const std::string_view> names = Kernel::names;
 
   // Makes the seed pass.  Throws NoLightFound or NothingComputed.
   SeededChains(const Space& space, const Kernel& kernel, Run& run, ChainSettings settings)
-      : space_(space), run_(run), settings_(settings), tally_(space.max_vertices()) {
-    for (int g = 0; g < settings.groups; ++g)
-      slices_.push_back(
-          std::make_unique<Slice>(space, run.session().seed, g, settings.chains_per_group));
-    seed_pass();
-    for (int g = 0; g < settings.groups; ++g) {
-      tally_.merge(slice(g).tally());
-      if (slice(g).found_light()) lit_.push_back(g);
+      : space_(space),
+        seed_(run.session().seed),
+        chains_per_group_(settings.chains_per_group),
+        slices_(space, run, settings, settings.chains_per_group) {
+    for (int g = 0; g < slices_.count(); ++g) {
+      if (slices_[g].found_light()) lit_.push_back(g);
+      kernels_.push_back(kernel);  // of a group's chains: it learns from the seeds of all others
+      kernels_.back().learn(slices_.others(g));
     }
-    if (lit_.empty()) throw NoLightFound(tally_.samples);
-    for (int g = 0; g < settings.groups; ++g) kernels_.push_back(taught(kernel, g));
   }
 
-  const SeedTally& tally() const { return tally_; }
-  int count() const { return static_cast<int>(lit_.size()) * settings_.chains_per_group; }
+  const SeedTally& tally() const { return slices_.tally(); }
+  int count() const { return static_cast<int>(lit_.size()) * chains_per_group_; }
 
   Chain<Space, Kernel> chain(int k) const {
-    const Place place = place_of(k);
-    Slice& slice = this->slice(place.group);
-    const Kernel& kernel = kernels_[static_cast<std::size_t>(place.group)];
-    return {space_, kernel, slice.replay(slice.seed(place.member), space_.max_vertices())};
+    const auto [group, member] = place_of(k);
+    auto& slice = slices_[group];
+    const Kernel& kernel = kernels_[static_cast<std::size_t>(group)];
+    return {space_, kernel, slice.replay(slice.seed(member), space_.max_vertices())};
   }
   Rng random(int k) const {
-    const Place place = place_of(k);
-    const int stream = place.group * settings_.chains_per_group + place.member;
-    return {run_.session().seed, Purpose::chain, static_cast<std::uint32_t>(stream)};
+    const auto [group, member] = place_of(k);
+    return {seed_, Purpose::chain, static_cast<std::uint32_t>(group * chains_per_group_ + member)};
   }
 
  private:
-  using Slice = SeedSlice<Space>;
-  static constexpr std::uint64_t seeds_per_round = 64;
-
   struct Place {
     int group, member;
   };
@@ -67,39 +55,16 @@ class SeededChains {
     if (k >= count())
       throw std::runtime_error(
           "chain " + std::to_string(k) + " cannot start: the seed pass found light in " +
-          std::to_string(lit_.size()) + " of " + std::to_string(settings_.groups) +
+          std::to_string(lit_.size()) + " of " + std::to_string(slices_.count()) +
           " groups, which is enough for the chains 0 to " + std::to_string(count() - 1));
     const auto lit = static_cast<int>(lit_.size());
     return {lit_[static_cast<std::size_t>(k % lit)], k / lit};
   }
-  // The kernel of a group's chains: it has learned from the seeds of all others.
-  Kernel taught(Kernel kernel, int group) const {
-    SeedTally others(space_.max_vertices());
-    for (int g = 0; g < settings_.groups; ++g)
-      if (g != group) others.merge(slice(g).tally());
-    kernel.learn(others);
-    return kernel;
-  }
-  Slice& slice(int g) const { return *slices_[static_cast<std::size_t>(g)]; }
-
-  void seed_pass() {
-    const auto groups = static_cast<std::uint64_t>(settings_.groups);
-    const std::uint64_t per_group = settings_.fewest_seeds / groups;
-    for (std::uint64_t done = 0; done < per_group;) {
-      if (run_.is_interrupted()) throw NothingComputed();
-      const std::uint64_t count = std::min(seeds_per_round, per_group - done);
-      run_parallel(run_, settings_.groups, [&](int g) { slice(g).run(count); });
-      done += count;
-      run_.report({static_cast<double>(done) / static_cast<double>(per_group), done * groups,
-                   run_.seconds(), "seed pass"});
-    }
-  }
 
   const Space& space_;
-  Run& run_;
-  ChainSettings settings_;
-  std::vector<std::unique_ptr<Slice>> slices_;
-  SeedTally tally_;
+  std::uint64_t seed_;
+  int chains_per_group_;
+  SeedSlices<Space, PathSeeds> slices_;
   std::vector<int> lit_;         // groups
   std::vector<Kernel> kernels_;  // by group
 };

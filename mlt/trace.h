@@ -2,8 +2,8 @@
 //
 //   scene → seed pass → chains × mixture of mutations → steps → logs → columns
 //
-// The chains are those of render() (seeded_chains.h); nothing is deposited.  Each chain has its own
-// log, so the columns do not depend on the threads.
+// The chains are those of render() (seeded_chains.h, multiplexed_chains.h); nothing is deposited.
+// Each chain has its own log, so the columns do not depend on the threads.
 #pragma once
 
 #include <algorithm>
@@ -28,9 +28,11 @@ struct Trace {
   double seed_seconds = 0;  // of which seed pass
 };
 
-template <class Space, class Kernel>
+// `Chains` are made of a space and the kernel of chains, and taken out one by one.
+template <class Space, class Chains>
 class Tracer {
  public:
+  template <class Kernel>
   Tracer(const Space& space, const Kernel& kernel, const Session& session, TraceRequest request,
          ChainSettings settings)
       : space_(space),
@@ -56,7 +58,7 @@ class Tracer {
     }
     Trace trace;
     trace.trajectory =
-        make_trajectory(logs_, request_.window, Space::Universe::dimension, Kernel::names);
+        make_trajectory(logs_, request_.window, Space::Universe::dimension, Chains::names);
     trace.complete = static_cast<std::uint64_t>(trace.trajectory.draws) == request_.window.draws();
     if (trace.trajectory.draws == 0) throw NothingComputed();
     trace.normalization = normalization(seeded_.tally());
@@ -69,7 +71,7 @@ class Tracer {
  private:
   using W = typename Space::Universe;
   struct Member {
-    Chain<Space, Kernel> chain;
+    decltype(std::declval<const Chains&>().chain(0)) chain;
     Rng random;
   };
 
@@ -96,10 +98,15 @@ class Tracer {
   const Space& space_;
   TraceRequest request_;
   Run run_;
-  SeededChains<Space, Kernel> seeded_;
+  Chains seeded_;
   double seed_seconds_;
   std::vector<Member> members_;
   std::vector<StepLog> logs_;
 };
+
+// Chains of a kernel in path space; others are named by the caller.
+template <class Space, class Kernel>
+Tracer(const Space&, const Kernel&, const Session&, TraceRequest, ChainSettings)
+    -> Tracer<Space, SeededChains<Space, Kernel>>;
 
 }  // namespace wander

@@ -91,7 +91,8 @@ std::string slow_mixing(const ChainsRecord& chains) {
   double worst = 1;
   for (const FunctionalRecord& f : chains.functionals) {
     if (!(f.r_hat > largest_r_hat)) continue;
-    parts.push_back(fmt::format("{:.3f} ({})", f.r_hat, f.name));
+    parts.push_back(fmt::format(
+        "{} ({})", std::isinf(f.r_hat) ? "infinite" : fmt::format("{:.3f}", f.r_hat), f.name));
     worst = std::max(worst, f.r_hat);
   }
   if (parts.empty()) return "";
@@ -120,10 +121,13 @@ std::string disagreeing_groups(const Evidence& evidence) {
   }
   if (name.empty()) return "";
   return fmt::format(
-      "the groups of chains disagree on {}: they differ {:.2g} times as much as each of them "
-      "changes, so a film may look clean and be another with another seed; believe the error bars, "
-      "which are made of these differences, and take a larger budget, other mutations, or bdpt",
-      name, worst);
+      "the groups of chains disagree on {}: they differ {}, so a film may look clean and be "
+      "another "
+      "with another seed; believe the error bars, which are made of these differences, and take a "
+      "larger budget, other mutations, or bdpt",
+      name,
+      std::isinf(worst) ? "from each other, and none of them changes"
+                        : fmt::format("{:.2g} times as much as each of them changes", worst));
 }
 
 std::string few_groups(const MutationStatistics& statistics, std::size_t groups) {

@@ -51,12 +51,23 @@ struct TraceOptions {
   std::optional<Step> replay;
 };
 
-void require_traceable(std::string_view method) {
+void require_traceable(const TraceOptions& options) {
+  const std::string_view method = options.method;
   const auto known = traced_methods();
-  if (std::find(known.begin(), known.end(), method) != known.end()) return;
-  throw UsageError(
-      fmt::format("trace records Markov chains whose state is one path; {} has none: allowed is {}",
-                  parse_method(method).name, fmt::join(known, ", ")));
+  if (std::find(known.begin(), known.end(), method) == known.end())
+    throw UsageError(fmt::format(
+        "trace records Markov chains whose state is one path; {} has none: allowed are {}", method,
+        fmt::join(known, " and ")));
+  if (method == "mlt") return;
+  if (!options.mutations.empty())
+    throw UsageError(fmt::format(
+        "--mutations is for mlt, whose mutations can be chosen; {} has none to choose", method));
+  if (options.replay)
+    throw UsageError(fmt::format(
+        "--replay takes apart steps of mlt, which are proposed in path space; those of {} are "
+        "moves "
+        "of random numbers: record them with -o FILE.nc, which has every term of their acceptance",
+        method));
 }
 
 bool is_csv(const Global& global) { return global.out.extension() == ".csv"; }
@@ -141,8 +152,8 @@ ExitCode replay_step(const SceneDocument& document, const TraceOptions& options,
                      const Session& session, const Global& global) {
   if (!global.out.empty())
     throw UsageError("--replay prints one step and writes no file; leave out -o");
-  const Replay step = replay(document.scene, options.method, options.mutations, session,
-                             options.replay->chain, options.replay->step);
+  const Replay step = replay(document.scene, options.mutations, session, options.replay->chain,
+                             options.replay->step);
   if (global.json)
     print_json(json_of_replay(step));
   else
@@ -151,7 +162,7 @@ ExitCode replay_step(const SceneDocument& document, const TraceOptions& options,
 }
 
 ExitCode trace_scene(const TraceOptions& options, const Global& global) {
-  require_traceable(options.method);
+  require_traceable(options);
   SceneDocument document = open_scene(options.scene);
   if (options.max_vertices) document.scene.max_vertices = *options.max_vertices;
   for (const std::string& warning : scene_warnings(document, options.scene))
@@ -182,11 +193,14 @@ One draw is one step of a chain: what was proposed, every term of its acceptance
 probability, and the state after the decision.  A file with the ending .csv has one row
 per draw; any other is netCDF-4 and opens with arviz.from_netcdf.
 
-The chains are those that `render -m mlt` runs with the same scene, mutations and seed
-and a budget of 256 to 131072 mutations.  Ctrl-C saves the draws that all chains have.
+The chains are those that `render` runs by the same method with the same scene, mutations
+and seed, and a budget of 256 to 131072 mutations.  A chain of mmlt keeps to paths of one
+length: the lengths share the chains in proportion to their light.  Ctrl-C saves the draws
+that all chains have.
 
 Examples:
   wander trace scene.json --steps 2000 --chains 4 -o chains.nc
+  wander trace scene.json -m mmlt --chains 8 -o lengths.nc
   wander trace scene.json --replay 0:17
 )";
 
@@ -198,7 +212,7 @@ void add_trace_options(CLI::App& verb, const std::shared_ptr<TraceOptions>& opti
   verb.add_option("SCENE", options->scene, "scene file, or gallery:NAME")
       ->type_name("")
       ->required();
-  option("-m,--method", "METHOD", "mlt (the default)",
+  option("-m,--method", "METHOD", "mlt (the default) or mmlt",
          [options](const std::string& text) { options->method = parse_method(text).name; });
   option("--mutations", "SPEC", mutations_help(),
          [options](const std::string& text) { options->mutations = parse_mutations(text); });

@@ -3,39 +3,42 @@
 #include <array>
 
 #include "core/build_scene.h"
+#include "mlt/multiplexed_chains.h"
+#include "mlt/primary_estimator.h"
+#include "mutations/kelemen.h"
 
 namespace wander {
 
 namespace {
 
-constexpr std::array<std::string_view, 1> names{"mlt"};
+constexpr std::array<std::string_view, 2> names{"mlt", "mmlt"};
 
-// Calls f(space, kernel) with what the chains of a method, the only one, walk in and by.
-template <class F>
-auto with_chains(const description::Scene& description, std::string_view,
-                 const MutationWeights& weights, F&& f) {
-  const auto scene = build_flatland(description);
-  const Transport<Flatland> transport(*scene, Roulette::off);
-  return f(transport, make_family(weights, requires_of(description)));
-}
+using Flat = Transport<Flatland>;
 
 }  // namespace
 
 std::span<const std::string_view> traced_methods() { return names; }
 
-Trace trace(const description::Scene& scene, std::string_view method,
+Trace trace(const description::Scene& description, std::string_view method,
             const MutationWeights& weights, const Session& session, const TraceRequest& request) {
-  return with_chains(scene, method, weights, [&](const auto& space, const auto& kernel) {
-    return Tracer(space, kernel, session, request, ChainSettings{}).run();
-  });
+  const auto scene = build_flatland(description);
+  const Flat space(*scene, Roulette::off);
+  if (method == "mmlt") {
+    const PrimaryKernel<Kelemen> kernel{Kelemen{}, default_large_step};
+    using Chains = MultiplexedChains<Flat, Kelemen>;
+    return Tracer<Flat, Chains>(space, kernel, session, request, ChainSettings{}).run();
+  }
+  return Tracer(space, make_family(weights, requires_of(description)), session, request,
+                ChainSettings{})
+      .run();
 }
 
-Replay replay(const description::Scene& scene, std::string_view method,
-              const MutationWeights& weights, const Session& session, int chain,
-              std::uint64_t step) {
-  return with_chains(scene, method, weights, [&](const auto& space, const auto& kernel) {
-    return replay(space, kernel, session, chain, step, ChainSettings{});
-  });
+Replay replay(const description::Scene& description, const MutationWeights& weights,
+              const Session& session, int chain, std::uint64_t step) {
+  const auto scene = build_flatland(description);
+  const Flat space(*scene, Roulette::off);
+  return replay(space, make_family(weights, requires_of(description)), session, chain, step,
+                ChainSettings{});
 }
 
 }  // namespace wander

@@ -21,8 +21,8 @@ std::span<const std::string_view> traced_methods();
 // NoLightFound, NothingComputed.
 Trace trace(const description::Scene& scene, std::string_view method,
             const MutationWeights& weights, const Session& session, const TraceRequest& request);
-Replay replay(const description::Scene& scene, std::string_view method,
-              const MutationWeights& weights, const Session& session, int chain,
-              std::uint64_t step);
+// A step of a chain of mlt.
+Replay replay(const description::Scene& scene, const MutationWeights& weights,
+              const Session& session, int chain, std::uint64_t step);
 
 }  // namespace wander

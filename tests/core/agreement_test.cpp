@@ -52,7 +52,7 @@ TEST(Estimators, AgreeAmongAllMaterialsForEachLength) {
   const auto scene = full_room(8).build();
   std::vector<SampledFilm> films;
   for (const Estimator& estimator : estimators())
-    films.push_back(sample_film(*scene, estimator, 200'000, films.size() + 1));
+    films.push_back(sample_film(*scene, estimator, 100'000, films.size() + 1));
   for (std::size_t a = 0; a < films.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
       EXPECT_TRUE(passes(agree(films[a], films[b])))
@@ -67,8 +67,8 @@ TEST(Estimators, TellRoomsApart) {
     if (auto* glass = std::get_if<description::Dielectric>(&material.kind))
       glass->interior_index = 1.6;
   const auto& bdpt = find_estimator("bdpt");
-  EXPECT_TRUE(rejects(agree(sample_film(*scene, bdpt, 200'000, 1),
-                            sample_film(*build_flatland(other), bdpt, 200'000, 2))));
+  EXPECT_TRUE(rejects(agree(sample_film(*scene, bdpt, 100'000, 1),
+                            sample_film(*build_flatland(other), bdpt, 100'000, 2))));
 }
 
 // Walks that end by roulette, with densities that do not know of it.
@@ -88,10 +88,10 @@ TEST(RussianRoulette, ChangesNoExpectation) {
     Estimator with = find_estimator(name), without = with;
     with.roulette = Roulette::by_albedo;
     without.roulette = Roulette::off;
-    const auto reference = sample_film(*scene, without, 100'000, 1);
-    EXPECT_TRUE(passes(agree(sample_film(*scene, with, 100'000, 2), reference))) << name;
+    const auto reference = sample_film(*scene, without, 40'000, 1);
+    EXPECT_TRUE(passes(agree(sample_film(*scene, with, 40'000, 2), reference))) << name;
     EXPECT_TRUE(rejects(agree(
-        sample_film_in(Forgetful(*scene), with.techniques, with.heuristic, 100'000, 2), reference)))
+        sample_film_in(Forgetful(*scene), with.techniques, with.heuristic, 40'000, 2), reference)))
         << name;
   }
 }
@@ -102,7 +102,7 @@ TEST(Heuristics, ChangeNoExpectation) {
   balance.heuristic = Heuristic::balance;
   power.heuristic = Heuristic::power;
   EXPECT_TRUE(passes(
-      agree(sample_film(*scene, balance, 100'000, 1), sample_film(*scene, power, 100'000, 2))));
+      agree(sample_film(*scene, balance, 40'000, 1), sample_film(*scene, power, 40'000, 2))));
 }
 
 }  // namespace

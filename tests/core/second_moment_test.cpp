@@ -33,7 +33,7 @@ Moments second_moment(const Scene<Flatland>& scene, const Estimator& estimator,
                                            estimator.techniques, estimator.heuristic);
   Rng rng(seed, Purpose::test, 0);
   Moments moments;
-  for (int i = 0; i < 1'000'000; ++i) {
+  for (int i = 0; i < 500'000; ++i) {
     rng.start(static_cast<std::uint64_t>(i));
     double total = 0;
     sampler.sample(rng, [&](const Path<Flatland>&, int, double weighted) { total += weighted; });

@@ -36,7 +36,7 @@ void expect_furnace(const Scene<W>& scene, double radiance, double reflectance,
                     const std::vector<std::string_view>& methods) {
   std::uint64_t seed = 0;
   for (const auto method : methods) {
-    const auto film = sample_film(scene, find_estimator(method), 60'000, ++seed);
+    const auto film = sample_film(scene, find_estimator(method), 40'000, ++seed);
     std::vector<double> z, wrong;
     for (const auto& [n, bins] : film.by_vertices)
       for (const BinValue bin : bins) {
@@ -144,9 +144,9 @@ TEST(Space, HasEstimatorsThatAgreeAmongAllMaterials) {
   SceneParts<W> parts = furnished_box();
   parts.parts[0].is_sensor = true;
   const Scene<W> scene(parts);
-  const auto reference = sample_film(scene, find_estimator("bdpt"), 150'000, 1);
+  const auto reference = sample_film(scene, find_estimator("bdpt"), 90'000, 1);
   for (const auto method : {"pt", "lt", "pt-naive", "lt-naive"})
-    EXPECT_TRUE(passes(agree(sample_film(scene, find_estimator(method), 150'000, 2), reference)))
+    EXPECT_TRUE(passes(agree(sample_film(scene, find_estimator(method), 90'000, 2), reference)))
         << method;
 }
 
@@ -164,9 +164,9 @@ TEST(Space, HasCamerasThatLightFindsAsItFindsSensors) {
                              .lens_radius = radius,
                              .focus_distance = 0.6};
     const Scene<W> scene(parts);
-    const auto reference = sample_film(scene, find_estimator("bdpt"), 100'000, 1);
+    const auto reference = sample_film(scene, find_estimator("bdpt"), 60'000, 1);
     for (const auto method : {"pt", "lt", "pt-naive"})
-      EXPECT_TRUE(passes(agree(sample_film(scene, find_estimator(method), 100'000, 2), reference)))
+      EXPECT_TRUE(passes(agree(sample_film(scene, find_estimator(method), 60'000, 2), reference)))
           << method << ", lens " << radius;
   }
 }

@@ -143,7 +143,9 @@ TEST_F(Connections, AreNotBlockedByTheSurfacesThatTheyEndOn) {
     const Place2 a = point_on(0), b = point_on(1), c = point_on(2);
     ASSERT_EQ(connect(a, b), Connection::open);
     ASSERT_EQ(connect(b, a), Connection::open);
-    if (glm::dot(b.position - c.position, c.normal) > 0) ASSERT_EQ(connect(b, c), Connection::open);
+    if (glm::dot(b.position - c.position, c.normal) > 0) {
+      ASSERT_EQ(connect(b, c), Connection::open);
+    }
   }
 }
 

@@ -31,7 +31,7 @@ FilmEstimate by_chains(const Scene<Flatland>& scene, const Kernel& kernel) {
 FilmEstimate by_samples(const Scene<Flatland>& scene) {
   for (const Estimator& estimator : estimators())
     if (std::string_view(estimator.name) == "bdpt")
-      return estimate(scene, estimator, session_of(1'000'000)).film;
+      return estimate(scene, estimator, session_of(300'000)).film;
   throw std::logic_error("no bdpt");
 }
 
@@ -45,9 +45,8 @@ INSTANTIATE_TEST_SUITE_P(Rooms, Agreement,
 TEST_P(Agreement, ChainsOfAnyMutationsEstimateTheFilmOfIndependentSamples) {
   const FilmEstimate expected = by_samples(*scene_);
   const int longest = scene_->max_vertices();
-  for (const MutationWeights& weights :
-       {MutationWeights{}, MutationWeights{{"bidirectional", 1}}, MutationWeights{{"primary", 1}},
-        MutationWeights{{"bidirectional", 1}, {"primary", 3}}}) {
+  for (const MutationWeights& weights : {MutationWeights{}, MutationWeights{{"bidirectional", 1}},
+                                         MutationWeights{{"primary", 1}}}) {
     const Decision agree =
         films_agree(by_chains(*scene_, make_family(weights, longest)), expected, usual_false_alarm);
     EXPECT_TRUE(passes(agree));

@@ -93,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Rooms, Threads,
                          ::testing::Range(0, static_cast<int>(lit_scenes().size())));
 
 TEST_P(Threads, DoNotChangeABitOfWhatChainsCompute) {
-  Session session = session_of(60'001, 1);
+  Session session = session_of(30'001, 1);
   const Rendering one = mlt(*scene_, session);
   for (const int threads : {2, 7}) {
     session.threads = threads;
@@ -105,7 +105,7 @@ TEST_P(Threads, DoNotChangeABitOfWhatChainsCompute) {
 
 TEST_P(Threads, DoNotChangeABitOfWhatIndependentSamplesCompute) {
   for (const char* name : {"bdpt", "pt", "lt"}) {
-    Session session = session_of(20'001, 1);
+    Session session = session_of(10'001, 1);
     const Rendering one = independent(*scene_, session, name);
     for (const int threads : {2, 7}) {
       session.threads = threads;

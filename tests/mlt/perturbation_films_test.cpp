@@ -30,12 +30,12 @@ Session session_of(std::uint64_t samples) {
 FilmEstimate by_chains(const Scene<Flatland>& scene, const MutationWeights& weights) {
   const Transport<Flatland> space(scene, Roulette::off);
   const Family family = make_family(weights, scene.max_vertices());
-  const Session session = session_of(400'000);
+  const Session session = session_of(200'000);
   return ChainRenderer(space, family, session, ChainSettings{}).render("mlt").film;
 }
 FilmEstimate by_samples(const Scene<Flatland>& scene) {
   const auto bdpt = std::ranges::find(estimators(), std::string_view("bdpt"), &Estimator::name);
-  return estimate(scene, *bdpt, session_of(500'000)).film;
+  return estimate(scene, *bdpt, session_of(250'000)).film;
 }
 
 // A film without error.

@@ -60,14 +60,14 @@ TEST_P(PrimaryFilms, OfAParallelEmitterAndBehindABlockerAreExact) {
   namespace scene = reference::parallel_emitter;
   SceneMaker maker(3);
   maker.line(scene::emitter, {.radiance = scene::radiance}).line(scene::sensor, {.bins = 4});
-  expect_exact(render(*maker.build(), 100'000), {scene::film.begin(), scene::film.end()});
-  expect_exact(render(*blocked_light().build(), 100'000), blocked_film());
+  expect_exact(render(*maker.build(), 60'000), {scene::film.begin(), scene::film.end()});
+  expect_exact(render(*blocked_light().build(), 60'000), blocked_film());
 }
 
 TEST_P(PrimaryFilms, OfDiffuseRoomsAreThoseOfRadiosity) {
   const SceneMaker maker = open_room(5);
   const RadiositySolution exact = solve_radiosity(radiosity_scene(maker.description()));
-  expect_exact(render(*maker.build(), 150'000), exact.film().mean_irradiance);
+  expect_exact(render(*maker.build(), 80'000), exact.film().mean_irradiance);
 }
 
 TEST_P(PrimaryFilms, AreThoseOfIndependentSamples) {
@@ -78,7 +78,7 @@ TEST_P(PrimaryFilms, AreThoseOfIndependentSamples) {
     Rendering samples;
     for (const Estimator& estimator : estimators())
       if (std::string_view(estimator.name) == "bdpt")
-        samples = estimate(*scene, estimator, budget_of(60'000, 2));
+        samples = estimate(*scene, estimator, budget_of(40'000, 2));
     const Decision agree =
         films_agree(render(*scene, 40'000).film, samples.film, usual_false_alarm);
     EXPECT_TRUE(passes(agree));
@@ -197,7 +197,7 @@ struct AcceptedOnly : KelemenWeights {
   }
 };
 TEST(PrimaryTwin, OfKelemensWeightsThatLeavesOutSomeLargeStepsIsCaught) {
-  constexpr Effort longer{60, 4096, 8000}, more_runs{3000, 32, 96};
+  constexpr Effort longer{60, 4096, 8000}, more_runs{2000, 32, 96};
   EXPECT_TRUE(rejects(mean_of_runs(&render_primary<PssmltGroup, SilentInTheDark>, more_runs)));
   EXPECT_TRUE(rejects(mean_of_runs(&render_primary<MmltGroup, SilentInTheDark>, more_runs)));
   EXPECT_TRUE(passes(mean_of_runs(&render_primary<PssmltGroup, KelemenWeights>, longer)));

@@ -112,7 +112,9 @@ void expect_equal(const MutationRecord& record, const Recounts& recounts) {
   EXPECT_NEAR(record.squared_jump,
               recounts.squared_jump / static_cast<double>(recounts.all.proposed), 1e-12);
   EXPECT_EQ(record.longest_rejection_run, recounts.longest_run);
-  EXPECT_GT(record.seconds, 0);
+  // One step in some is measured; of a mutation that acts rarely it may be none.
+  EXPECT_TRUE(record.seconds > 0 || (std::isnan(record.seconds) && record.proposed < 500))
+      << record.seconds;
 }
 
 class Statistics : public ::testing::TestWithParam<int> {};
@@ -159,8 +161,14 @@ TEST_P(Statistics, AreThoseOfARecount) {
   EXPECT_EQ(all.steps(), 9'000u);
   EXPECT_EQ(all.longest_rejection_run(), longest_run);
   const std::vector<MutationRecord> records = all.records();
-  ASSERT_EQ(records.size(), Family::count);
-  for (std::size_t m = 0; m < records.size(); ++m) expect_equal(records[m], recounts[m]);
+  std::size_t acted = 0;
+  for (std::size_t m = 0; m < Family::count; ++m) {
+    if (recounts[m].all.proposed == 0) continue;
+    ASSERT_LT(acted, records.size());
+    EXPECT_EQ(records[acted].name, Family::names[m]);
+    expect_equal(records[acted++], recounts[m]);
+  }
+  EXPECT_EQ(acted, records.size());
 }
 
 // Classes beyond the table are counted, though not by name; long paths share the last length.

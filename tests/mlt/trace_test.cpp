@@ -74,8 +74,13 @@ MutationRecord total_of(const Trajectory& t, std::size_t mutation) {
     record.mean_acceptance += t.acceptance[i];
     if (!t.accepted[i]) ++record.failures[t.reasons[static_cast<std::size_t>(t.reason[i])]];
   }
-  record.mean_acceptance /= static_cast<double>(record.proposed);
+  if (record.proposed > 0) record.mean_acceptance /= static_cast<double>(record.proposed);
   return record;
+}
+// A mutation that never acted has no record.
+MutationRecord record_of(const Rendering& rendering, std::string_view name) {
+  const auto found = std::ranges::find(rendering.mutations, name, &MutationRecord::name);
+  return found == rendering.mutations.end() ? MutationRecord{} : *found;
 }
 
 TEST(TracedChains, AreTheChainsOfRender) {
@@ -88,12 +93,11 @@ TEST(TracedChains, AreTheChainsOfRender) {
   const Rendering rendering = ChainRenderer(room.space, room.family, session, light).render("mlt");
   const Trace trace = room.trace(chains, {.end = steps}, session);
   const Trajectory other = room.trajectory(chains, {.end = steps}, 2);
-  ASSERT_EQ(rendering.mutations.size(), Family::count);
+  ASSERT_GE(rendering.mutations.size(), 3u);
   int differences = 0;  // of chains with another seed: the control
   for (std::size_t m = 0; m < Family::count; ++m) {
-    const MutationRecord& expected = rendering.mutations[m];
+    const MutationRecord expected = record_of(rendering, trace.trajectory.mutations[m]);
     const MutationRecord traced = total_of(trace.trajectory, m);
-    EXPECT_EQ(expected.name, trace.trajectory.mutations[m]);
     EXPECT_EQ(expected.proposed, traced.proposed);
     EXPECT_EQ(expected.accepted, traced.accepted);
     EXPECT_EQ(expected.failures, traced.failures);

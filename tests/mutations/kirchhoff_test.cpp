@@ -51,7 +51,7 @@ TEST_P(KirchhoffFurnace, ContributionIsTwiceTheDensityOfTheExactSampler) {
 
 // b_n = 2 P(n vertices), by the seed pass and by the exact sampler.
 TEST_P(KirchhoffFurnace, NormalizationOfTheSeedPassIsExactByLength) {
-  constexpr std::uint64_t samples = 60'000;
+  constexpr std::uint64_t samples = 40'000;
   SeedSlice<Kirchhoff> slice(space_, 1, 0, 1);
   slice.run(samples);
   std::vector<double> count(longest - 1);

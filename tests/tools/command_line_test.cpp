@@ -67,7 +67,7 @@ TEST_F(CommandLine, EveryMistakeInTheCommandLineIsExitTwo) {
                                 "render box.json -m pt -o o --max-vertices 1",
                                 "render box.json -m pt -o o -b 'error<0.1'",
                                 "render box.json -m pt -o o --mutations primary=1",
-                                "render box.json -m mlt -o o --mutations lens=1",
+                                "render box.json -m mlt -o o --mutations shove=1",
                                 "render box.json -m mmlt -o o --mutations primary=1",
                                 "render box.json -m mlt -o o --estimator kelemen",
                                 "render box.json -m pssmlt -o o --estimator none",
@@ -271,7 +271,7 @@ TEST_F(CommandLine, InspectSaysWhatASceneRequires) {
   EXPECT_EQ(needs["shapes"], json({"polyline", "segment"}));
   EXPECT_EQ(needs["specular"], false);
   EXPECT_EQ(needs["caustic_paths_possible"], false);
-  EXPECT_EQ(needs["mutations"], json({"bidirectional", "primary_small", "primary_large"}));
+  EXPECT_EQ(needs["mutations"], json({"bidirectional", "lens", "primary_small", "primary_large"}));
   EXPECT_HAS(wander("inspect box.json").out, "4 vertices");
 }
 

@@ -90,6 +90,16 @@ TEST_F(TraceCommand, UsesTheMutationsThatAreAskedFor) {
   EXPECT_TRUE(summary["mutations"].contains("primary_small"));
 }
 
+TEST_F(TraceCommand, RecordsTheChainsOfMmltToo) {
+  const Outcome outcome = wander("trace box.json -m mmlt --chains 8 --steps 50 -o t.nc --json -q");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json summary = json::parse(outcome.out);
+  EXPECT_EQ(summary["method"], "mmlt");
+  for (const char* move : {"primary_small", "primary_large"})
+    EXPECT_GT(summary["mutations"][move]["proposed"], 0) << move;
+  EXPECT_EQ(read_trajectory(folder / "t.nc").method, "mmlt");
+}
+
 // ---- replay
 
 TEST_F(TraceCommand, ReplaysTheStepThatWasRecorded) {
@@ -150,6 +160,9 @@ TEST_F(TraceCommand, EveryMistakeInItsCommandLineIsExitTwo) {
                                 "trace box.json",
                                 "trace box.json -m bdpt --json",
                                 "trace box.json -m nope --json",
+                                "trace box.json -m pssmlt --json",
+                                "trace box.json -m mmlt --json --mutations primary=1",
+                                "trace box.json -m mmlt --replay 0:1",
                                 "trace box.json -o t.nc --steps 0",
                                 "trace box.json -o t.nc --steps many",
                                 "trace box.json -o t.nc --chains 0",
@@ -159,7 +172,7 @@ TEST_F(TraceCommand, EveryMistakeInItsCommandLineIsExitTwo) {
                                 "trace box.json -o t.nc --window 5:5",
                                 "trace box.json -o t.nc --window 0:11 --steps 10",
                                 "trace box.json -o t.nc --steps 1000000000",
-                                "trace box.json -o t.nc --mutations lens=1",
+                                "trace box.json -o t.nc --mutations shove=1",
                                 "trace box.json --replay 1",
                                 "trace box.json --replay 1:x",
                                 "trace box.json --replay -1:0",
@@ -173,6 +186,8 @@ TEST_F(TraceCommand, EveryMistakeInItsCommandLineIsExitTwo) {
   }
   EXPECT_HAS(wander("trace box.json -m bdpt --json").err, "one path");
   EXPECT_HAS(wander("trace box.json --replay 7").err, "--replay");
+  EXPECT_HAS(wander("trace box.json -m mmlt --replay 0:1").err,
+             "--replay takes apart steps of mlt");
 }
 
 TEST_F(TraceCommand, AnExistingFileIsReplacedOnlyWithForce) {
