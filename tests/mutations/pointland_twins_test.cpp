@@ -55,7 +55,10 @@ TEST(PointlandTwins, ATwinThatChangesNothingKeepsTheInvariance) {
   const Graph graph(proof_plan("mirror"));
   const StateSpace states(graph);
   const auto spoil_nothing = [](const Transition& t, Proposal& p) {
-    p.forward *= split_count(t, t.y, t.move.added) / split_count(t, t.x, t.move.added);
+    const auto splits = [&](const PointPath& z) {
+      return double(Bidirectional::split_count(t.graph, z, t.move.kept, t.move.added));
+    };
+    p.forward *= splits(t.y) / splits(t.x);
   };
   const Mixture<BidirectionalTwin> kernel({1.0}, BidirectionalTwin{spoil_nothing});
   EXPECT_LT(defects(states.pi(), transition_matrix(graph, states, kernel)).invariance, rounding);
