@@ -121,6 +121,14 @@ TEST(PssmltGroups, MakeTheStepsOfTheirOwnStreams) {
     EXPECT_NEAR(a[bin], e[bin], 1e-12 * slice.tally().mean()) << "bin " << bin;
 }
 
+// The first step goes to the length in whose interval the given number lies.
+TEST(LengthSequences, BeginWhereTheyAreTold) {
+  for (const double first : {0.0, 0.1, 0.3, 0.9}) {
+    LengthSequence lengths({0.25, 0.5, 0.25}, first);
+    EXPECT_EQ(lengths.next(), first < 0.25 ? 0u : first < 0.75 ? 1u : 2u) << first;
+  }
+}
+
 // All light that others found is in paths of two vertices: 0.9 of the steps go there, and a tenth
 // is spread evenly, whatever the group's own slice holds.
 TEST(MmltGroups, ShareTheirStepsByTheLightThatOtherGroupsFound) {

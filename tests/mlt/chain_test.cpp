@@ -92,6 +92,16 @@ TEST_F(ChainStep, DensitiesThatAreNoNumbersAreRefused) {
   EXPECT_EQ(reason(Proposal{0, 1}), Reason::not_finite);
   EXPECT_EQ(reason(Proposal{1, 0}), Reason::not_reversible);
 }
+// A replayed seed brings no intensity and no weights of its own.
+TEST_F(ChainStep, BeginsWithASeedThatTheChainHasMeasured) {
+  const auto nothing = [](Path<W>&) {};
+  const auto kernel = alone(Fixed<decltype(nothing)>{Proposal{1, 1}, nothing});
+  Path<W> unmeasured = seed(space_), measured = unmeasured;
+  measure(space_, measured);
+  unmeasured.weights().clear();
+  unmeasured.contribution = unmeasured.intensity = 0;
+  EXPECT_TRUE(identical(Chain(space_, kernel, unmeasured).current(), measured));
+}
 TEST_F(ChainStep, AFailureKeepsItsReason) {
   EXPECT_EQ(reason(Failure{Reason::occluded}), Reason::occluded);
 }
