@@ -172,19 +172,10 @@ TEST_P(Techniques, SampleOnlyWhatTheirSetHoldsAndTheVerticesAllow) {
     const int n = x.size();
     const auto fixed = [&](int i) { return is_specular(x[i].event); };
     for (int s = 0; s <= n; ++s) {
-<<<<<<< HEAD
-      if (!few.holds(s, n - s)) {
-        ASSERT_FALSE(can_sample(space, x, s, few));
-      }
-      if (s > 0 && s < n && (fixed(s - 1) || fixed(s))) {
-        ASSERT_FALSE(can_sample(space, x, s, all_techniques)) << path_class(x) << " s = " << s;
-      }
-=======
       const bool held = few.holds(s, n - s);
       ASSERT_TRUE(held || !can_sample(space, x, s, few));
       const bool forbidden = s > 0 && s < n && (fixed(s - 1) || fixed(s));
       ASSERT_FALSE(forbidden && can_sample(space, x, s, all_techniques)) << path_class(x) << s;
->>>>>>> w-mut
     }
   });
 }
