@@ -16,9 +16,9 @@
 
 namespace wander::test {
 
-// False-alarm rate of one test (one family).  With a few hundred tests in the suite, `usual` gives
-// a correct program less than one failure in 10^4 runs with new seeds.
-inline constexpr double usual_false_alarm = 1e-7;
+// False-alarm rate of one test (one family).  With fewer than a thousand of them in the suite, a
+// correct program fails less than once in 10^6 runs with new seeds.
+inline constexpr double usual_false_alarm = 1e-9;
 
 double bonferroni_threshold(double family_false_alarm, std::size_t comparisons);
 
