@@ -67,8 +67,8 @@ TEST(Estimators, TellRoomsApart) {
     if (auto* glass = std::get_if<description::Dielectric>(&material.kind))
       glass->interior_index = 1.6;
   const auto& bdpt = find_estimator("bdpt");
-  EXPECT_TRUE(rejects(agree(sample_film(*scene, bdpt, 100'000, 1),
-                            sample_film(*build_flatland(other), bdpt, 100'000, 2))));
+  EXPECT_TRUE(rejects(agree(sample_film(*scene, bdpt, 150'000, 1),
+                            sample_film(*build_flatland(other), bdpt, 150'000, 2))));
 }
 
 // Walks that end by roulette, with densities that do not know of it.

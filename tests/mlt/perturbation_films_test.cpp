@@ -57,7 +57,7 @@ void expect_film(const Scene<Flatland>& scene, const std::vector<double>& exact)
     const Decision agree = films_agree(film, known(exact), usual_false_alarm);
     EXPECT_TRUE(passes(agree)) << word;
     EXPECT_GE(agree.comparisons, std::size_t{4}) << word;
-    EXPECT_TRUE(rejects(films_agree(film, known(exact, 1.2), usual_false_alarm))) << word;
+    EXPECT_TRUE(rejects(films_agree(film, known(exact, 1.3), usual_false_alarm))) << word;
   }
 }
 

@@ -61,7 +61,7 @@ TEST_P(InABox, TheMultiChainPerturbationKeepsTheDistribution) {
 }
 
 TEST(WrongBox, WithoutACosineOrWithOneDistanceLessIsCaught) {
-  EXPECT_TRUE(caught(report_of(-1, alone(In<Lens, WithoutCosine>{{wide}}))));
+  EXPECT_TRUE(caught(report_of(-1, alone(In<Lens, WithoutCosine>{{wide}}), 60'000)));
   EXPECT_TRUE(caught(report_of(-1, alone(In<Lens, WithOneDistanceLess>{{wide}}))));
   EXPECT_TRUE(caught(report_of(-1, alone(In<Caustic, WithoutCosine>{{wide}}), 60'000)));
 }
