@@ -109,7 +109,7 @@ Decision furnace_lengths(Renderer render) {
   const auto scene = furnace().build();
   const ChainSettings settings{.groups = 16, .fewest_seeds = 1024};
   std::map<int, std::vector<Moments>> runs;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
     const Rendering r = render(*scene, budget_of(4000, seed), settings);
     for (const auto& [vertices, film] : r.film.by_length) {
       auto& bins = runs[vertices];

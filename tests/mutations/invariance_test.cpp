@@ -27,7 +27,7 @@ TEST_P(Kernel, LeavesTheDistributionOfPathsInvariant) {
   const auto& [name, make, kernel] = GetParam();
   const FlatScene scene = build(make());
   // Few paths are made for the multi-chain perturbation.
-  const std::uint64_t samples = kernel.name == "Multichain" ? 60'000 : 35'000;
+  const std::uint64_t samples = kernel.name == "Multichain" ? 60'000 : 28'000;
   const InvarianceOptions options{
       .samples = samples, .steps = 10, .false_alarm = usual_false_alarm / 2};
   const InvarianceReport report = kernel.test(Flat(*scene, Roulette::off), options);
