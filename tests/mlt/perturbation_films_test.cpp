@@ -35,7 +35,7 @@ FilmEstimate by_chains(const Scene<Flatland>& scene, const MutationWeights& weig
 }
 FilmEstimate by_samples(const Scene<Flatland>& scene) {
   const auto bdpt = std::ranges::find(estimators(), std::string_view("bdpt"), &Estimator::name);
-  return estimate(scene, *bdpt, session_of(250'000)).film;
+  return estimate(scene, *bdpt, session_of(150'000)).film;
 }
 
 // A film without error.
