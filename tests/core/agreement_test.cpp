@@ -1,6 +1,6 @@
 // Every way to sample a path gives the same film: each technique (s,t) alone against a
 // deterministic solution, the estimators against each other in a room of all materials, with
-// Russian roulette and without.  False-alarm rate 1e-7 per decision.
+// Russian roulette and without.  False-alarm rate 1e-9 per decision.
 #include <gtest/gtest.h>
 
 #include "tests/core/film_sampling.h"

@@ -1,5 +1,5 @@
 // What differs between the plane and space: constants, frames, and the maps of the unit cube onto
-// directions.  False-alarm rate 1e-7 per χ² test.
+// directions.  False-alarm rate 1e-9 per χ² test.
 #include "core/dimension.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Scenes of Flatland whose films are known to ten digits or more, by every method that can find the
-// light.  False-alarm rate 1e-7 per film.
+// light.  False-alarm rate 1e-9 per film.
 #include <gtest/gtest.h>
 
 #include "tests/core/film_sampling.h"

@@ -1,5 +1,5 @@
 // The fluence rate of a scene: exact where it is known, in rooms at equilibrium and in the open.
-// False-alarm rate 1e-7 per picture.
+// False-alarm rate 1e-9 per picture.
 #include "core/fluence.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Furnaces: closed rooms in which the radiance is known whatever their form.
 //   All walls emit Le and reflect ρ:    L from paths of k + 2 vertices is Le ρ^k, E = 2 L.
 //   Kirchhoff: emission n (1 - albedo): L = n everywhere, n the index of refraction there.
-// False-alarm rate 1e-7 per film.
+// False-alarm rate 1e-9 per film.
 #include <gtest/gtest.h>
 
 #include "tests/core/film_sampling.h"

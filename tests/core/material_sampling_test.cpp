@@ -1,6 +1,6 @@
 // Every sampler of directions against the densities that evaluate() claims, for walks towards the
 // sensor and towards the light.  Densities are with respect to projected angle: times |cos θ| they
-// are per unit of angle.  False-alarm rate 1e-7 per χ² test.
+// are per unit of angle.  False-alarm rate 1e-9 per χ² test.
 #include <gtest/gtest.h>
 
 #include "core/material.h"

@@ -1,5 +1,5 @@
 // Offsets of a given length, and directions at a given angle from another: they are that long or
-// that far away, even all around, and as many as their measure says.  False-alarm rate 1e-7 per χ².
+// that far away, even all around, and as many as their measure says.  False-alarm rate 1e-9 per χ².
 #include <gtest/gtest.h>
 
 #include "tests/core/directions.h"

@@ -2,7 +2,7 @@
 // light and one sensor, both black, over diffuse and mirror surfaces and without roulette, a path
 // of weight X from the sensor has the weight X |light| / |sensor| from the light, so that
 //   E X_pt² : E X_lt² = |sensor| : |light|.
-// False-alarm rate 1e-7.
+// False-alarm rate 1e-9.
 #include <gtest/gtest.h>
 
 #include "tests/core/film_sampling.h"

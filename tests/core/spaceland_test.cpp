@@ -1,5 +1,5 @@
 // The same text in three dimensions: furnaces of spheres and boxes, a form factor in closed form,
-// glass, and agreement of the estimators.  False-alarm rate 1e-7 per film.
+// glass, and agreement of the estimators.  False-alarm rate 1e-9 per film.
 #include <gtest/gtest.h>
 
 #include "tests/core/film_sampling.h"

@@ -1,7 +1,7 @@
 // The mutation of docs/own-mutation.md: it leaves f invariant, and is caught when a factor of its
 // density is forgotten; and the document shows the file that is tested.
 //
-// False alarms: 1e-7 per decision, of which each test makes three.
+// False alarms: 1e-9 per decision, of which each test makes three.
 // own_mutation_test.sh puts the same file into the catalogue of a copy of the program.
 #include "docs/examples/sensor_slide.h"
 

@@ -1,6 +1,6 @@
 // Chains and independent samples estimate the same film, whatever the mutations.
 //
-// False alarms: 1e-7 per comparison of two films.  The error bars of the chains come from 64
+// False alarms: 1e-9 per comparison of two films.  The error bars of the chains come from 64
 // independent groups, so that this holds for chains of any length, even where they mix badly.
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // films that are known: diffuse walls solved by radiosity, a mirror and a line of glass in closed
 // form, and independent samples where specular chains follow each other.
 //
-// False alarms: 1e-7 per film.
+// False alarms: 1e-9 per film.
 #include <gtest/gtest.h>
 
 #include <algorithm>

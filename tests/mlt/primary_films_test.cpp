@@ -1,7 +1,7 @@
 // Films of pssmlt and mmlt, with both estimators, are exact where the film is known; each length by
 // itself in a furnace; and without bias for the shortest of seed passes and of chains.
 //
-// False alarms: 1e-7 per film or per mean of films.
+// False alarms: 1e-9 per film or per mean of films.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Groups of pssmlt and mmlt: seeds, sums of deposits, budgets, and the same bits from any number of
-// threads.  False alarms: 1e-7 per decision.
+// threads.  False alarms: 1e-9 per decision.
 #include <gtest/gtest.h>
 
 #include <numeric>

@@ -5,7 +5,7 @@
 //   E[v c(u_n) (h(u_n) - h(u_0))] = 0,  after one step to u_1 with probability a:
 //   E[v a c(u_1) (h(u_1) - h(u_0))] = 0.
 //
-// False alarms: 1e-7 per decision, over all functions.
+// False alarms: 1e-9 per decision, over all functions.
 #include <gtest/gtest.h>
 
 #include <optional>

@@ -52,7 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Rooms, SeedPass,
                          ::testing::Range(0, static_cast<int>(lit_scenes().size())));
 
 // Given the slice, each chain's seed is an independent draw among its paths, of probability w/Σw.
-// False alarms: 1e-7 per scene.
+// False alarms: 1e-9 per scene.
 TEST_P(SeedPass, SeedsAreDrawnInProportionToTheirWeights) {
   constexpr int chains = 20'000;
   constexpr std::uint64_t samples = 200;

@@ -1,7 +1,7 @@
 // The density that the bidirectional mutation claims, for paths with one new vertex, against the
 // histogram of what it proposes (density_test.cpp says how).  The label, what is kept and how many
 // vertices are new, is part of the transition: each label has a histogram of its own, and all
-// others share a cell.  False alarms: 1e-7 per χ².
+// others share a cell.  False alarms: 1e-9 per χ².
 #include <gtest/gtest.h>
 
 #include "mutations/bidirectional.h"

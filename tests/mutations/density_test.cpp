@@ -3,7 +3,7 @@
 // claimed density can be integrated over a cell.
 //
 // Proposals that fail are one more cell, with what is missing to one: a probability that was left
-// out shows, and so does what would cancel in an acceptance ratio.  False alarms: 1e-7 per χ².
+// out shows, and so does what would cancel in an acceptance ratio.  False alarms: 1e-9 per χ².
 #include <gtest/gtest.h>
 
 #include "mutations/primary_large.h"

@@ -1,5 +1,5 @@
 // Invariance and balance of flux with ten times the samples of the quick tests, in every
-// room.  False alarms: 1e-7 per test.
+// room.  False alarms: 1e-9 per test.
 #include <gtest/gtest.h>
 
 #include "tests/support/expect.h"

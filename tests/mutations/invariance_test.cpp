@@ -1,7 +1,7 @@
 // Each mutation alone, and their mixture, leaves f invariant: after one step and after twenty, in
 // rooms of diffuse walls, mirrors and glass, rough surfaces, and before a camera.
 //
-// False alarms: 1e-7 per test, shared by its decisions; each of those is over about fifty
+// False alarms: 1e-9 per test, shared by its decisions; each of those is over about fifty
 // functions. The wrong twins show that the samples suffice to see a flaw.
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // In the Kirchhoff furnace the target can be sampled exactly, so a chain can be started in
 // equilibrium, and must stay there: no weights, no normalization, no converged chain.
 //
-// False alarms: 1e-7 per test, each over all kernels of the catalogue.
+// False alarms: 1e-9 per test, each over all kernels of the catalogue.
 #include <gtest/gtest.h>
 
 #include <algorithm>

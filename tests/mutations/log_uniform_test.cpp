@@ -1,5 +1,5 @@
 // Log-uniform distances: their logarithm is uniform, their density is the one that is stated, and
-// they keep to their range.  False-alarm rate 1e-7 per χ².
+// they keep to their range.  False-alarm rate 1e-9 per χ².
 #include "mutations/log_uniform.h"
 
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 // even in side: χ² over the joint cells.  And where q proposes with the density T that is claimed,
 //   E_q[ [y in A] / T(x→y) ] = measure of A,
 // an area of light times sensor, or of wall times sensor; a mirror between them leaves |det ∂c/∂A|
-// of the δ in T (claimed_density.h).  False alarms: 1e-7 per decision.
+// of the δ in T (claimed_density.h).  False alarms: 1e-9 per decision.
 #include <gtest/gtest.h>
 
 #include "tests/support/claimed_density.h"

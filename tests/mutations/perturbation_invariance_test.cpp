@@ -2,7 +2,7 @@
 // room, leave f invariant and balance its flux, in rooms that exercise them: glass around lamp and
 // sensor, curves, chains of specular vertices, lenses.  Where one cannot act, it says so.
 //
-// False alarms: 1e-7 per test, shared by its three decisions; perturbation_twins_test.cpp shows
+// False alarms: 1e-9 per test, shared by its three decisions; perturbation_twins_test.cpp shows
 // that so many samples suffice to see most flaws, and how many the others take.
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 //
 // A factor that is the same for x and y cancels in the ratio, and no chain can show it: kernels
 // with a wrong constant, or the size of a light.  perturbation_density_test.cpp catches those.
-// False alarms: 1e-7 per decision.
+// False alarms: 1e-9 per decision.
 #include <gtest/gtest.h>
 
 #include "tests/support/caught.h"

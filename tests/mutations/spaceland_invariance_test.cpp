@@ -2,7 +2,7 @@
 // alone, in a box of plaster, a mirror, rough metal and a ball of glass, seen by its floor or a
 // camera.
 //
-// False alarms: 1e-7 per test, shared by its three decisions.  What cancels in a ratio, such as the
+// False alarms: 1e-9 per test, shared by its three decisions.  What cancels in a ratio, such as the
 // sine of a cone, no chain can show; perturbation_density_test.cpp does.
 #include <gtest/gtest.h>
 
