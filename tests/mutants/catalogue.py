@@ -7,6 +7,8 @@ from pathlib import Path
 
 FOLDER = Path(__file__).resolve().parent
 REPOSITORY = FOLDER.parent.parent
+# Whoever owns the checkout: patches are applied to files, not to the repository.
+GIT_APPLY = ["git", "-c", "safe.directory=*", "apply"]
 TESTS = REPOSITORY / "tests"
 
 
@@ -57,7 +59,7 @@ def load():
 def check_applies(mutant):
     # Git must not take the tree for a part of a repository around it.
     environment = {**os.environ, "GIT_CEILING_DIRECTORIES": str(REPOSITORY.parent)}
-    done = subprocess.run(["git", "apply", "--check", mutant.path], cwd=REPOSITORY,
+    done = subprocess.run([*GIT_APPLY, "--check", mutant.path], cwd=REPOSITORY,
                           env=environment, capture_output=True, text=True)
     if done.returncode != 0:
         raise Fault(f"{mutant.path}: does not apply; plant the bug in the text as it is now\n"
