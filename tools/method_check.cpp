@@ -62,7 +62,7 @@ std::vector<MethodCheck> check_methods(const description::Scene& scene,
     } else {
       try {
         const Rendering rendering =
-            render(scene, method, method == "mlt" ? weights : MutationWeights{},
+            render(scene, method, {.mutations = method == "mlt" ? weights : MutationWeights{}},
                    with_own_numbers(session, checks.size() + 1));
         checks.push_back(compare_films(name, rendering.film, reference.film, false_alarm));
       } catch (const NoLightFound& dark) {

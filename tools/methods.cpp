@@ -51,8 +51,10 @@ Rendering render_primary(const Flat& space, const Session& session, const char* 
 
 std::span<const std::string_view> method_names() { return names; }
 
-Rendering render(const description::Scene& description, std::string_view method,
-                 const MutationWeights& weights, const Session& session, StepEstimator estimator) {
+Rendering render(const description::Scene& described, std::string_view method, const Dials& dials,
+                 const Session& session) {
+  description::Scene description = described;
+  description.max_vertices = dials.max_vertices.value_or(described.max_vertices);
   const auto scene = build_flatland(description);
   for (const Estimator& estimator : estimators()) {
     if (method != estimator.name) continue;
@@ -65,9 +67,10 @@ Rendering render(const description::Scene& description, std::string_view method,
   if (method == "pssmlt")
     return render_primary<PssmltGroup>(
         transport, session, "pssmlt",
-        estimator == StepEstimator::usual ? StepEstimator::kelemen : estimator);
-  if (method == "mmlt") return render_primary<MmltGroup>(transport, session, "mmlt", estimator);
-  const Family family = make_family(weights, requires_of(description));
+        dials.estimator == StepEstimator::usual ? StepEstimator::kelemen : dials.estimator);
+  if (method == "mmlt")
+    return render_primary<MmltGroup>(transport, session, "mmlt", dials.estimator);
+  const Family family = make_family(dials.mutations, requires_of(description));
   return ChainRenderer(transport, family, session, ChainSettings{}).render("mlt");
 }
 

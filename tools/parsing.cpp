@@ -111,6 +111,7 @@ MutationWeights parse_mutations(std::string_view text) {
 }
 
 StepEstimator parse_estimator(std::string_view text) {
+  constexpr std::array<std::string_view, 2> estimator_words{"kelemen", "expected"};
   constexpr std::array estimators{StepEstimator::kelemen, StepEstimator::expected};
   const auto found = std::find(estimator_words.begin(), estimator_words.end(), text);
   if (found == estimator_words.end())

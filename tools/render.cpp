@@ -29,20 +29,14 @@ struct RenderOptions {
   std::string scene;
   const MethodName* method = nullptr;
   Budget budget = TimeBudget{5};
-  MutationWeights mutations;
-  StepEstimator estimator = StepEstimator::usual;
-  std::optional<int> max_vertices;
+  Dials dials;
+  std::vector<const Dial*> turned;  // dials that were given
 };
 
 void require_sensible(const RenderOptions& options, const Global& global) {
   if (global.out.empty() && !global.json)
     throw UsageError("render needs -o DIR (where the film goes), or --json, or both");
-  const std::string_view method = options.method->name;
-  if (!options.mutations.empty() && method != "mlt")
-    throw UsageError(fmt::format(
-        "--mutations is for mlt, whose mutations can be chosen; {} has none to choose", method));
-  if (options.estimator != StepEstimator::usual && method != "pssmlt" && method != "mmlt")
-    throw UsageError(fmt::format("--estimator is for pssmlt and mmlt; {} has one only", method));
+  for (const Dial* dial : options.turned) require_dial(*dial, options.method->name);
 }
 
 void require_possible(const RenderOptions& options, const description::Scene& scene) {
@@ -56,7 +50,7 @@ void require_possible(const RenderOptions& options, const description::Scene& sc
 
 SceneDocument scene_for(const RenderOptions& options) {
   SceneDocument document = open_scene(options.scene);
-  if (options.max_vertices) document.scene.max_vertices = *options.max_vertices;
+  if (options.dials.max_vertices) document.scene.max_vertices = *options.dials.max_vertices;
   spdlog::debug("scene {}: {} shapes, {} materials, at most {} vertices, sha256 {}", options.scene,
                 document.scene.shapes.size(), document.scene.materials.size(),
                 document.scene.max_vertices, document.sha256);
@@ -71,8 +65,7 @@ Rendering rendering_of(const SceneDocument& document, const RenderOptions& optio
                         .threads = global.threads,
                         .interrupted = &watch_for_interruption(),
                         .report = progress.reporter()};
-  Rendering rendering =
-      render(document.scene, options.method->name, options.mutations, session, options.estimator);
+  Rendering rendering = render(document.scene, options.method->name, options.dials, session);
   std::vector<std::string> warnings = scene_warnings(document, options.scene);
   rendering.warnings.insert(rendering.warnings.begin(), warnings.begin(), warnings.end());
   return rendering;
@@ -145,22 +138,15 @@ void add_render(CLI::App& app, Global& global) {
           [options](const std::string& text) { options->budget = parse_budget(text); },
           "how much to compute (default: 5s)")
       ->type_name("BUDGET");
-  verb->add_option_function<std::string>(
-          "--mutations",
-          [options](const std::string& text) { options->mutations = parse_mutations(text); },
-          mutations_help())
-      ->type_name("SPEC");
-  verb->add_option_function<std::string>(
-          "--estimator",
-          [options](const std::string& text) { options->estimator = parse_estimator(text); },
-          "of pssmlt and mmlt: kelemen (large steps count as independent samples, too; what "
-          "pssmlt does by default) or expected (plain expected values; mmlt's default)")
-      ->type_name("RULE");
-  verb->add_option_function<std::string>(
-          "--max-vertices",
-          [options](const std::string& text) { options->max_vertices = parse_max_vertices(text); },
-          "longest paths, both ends counted (default: what the scene says)")
-      ->type_name("N");
+  for (const Dial& dial : dials())
+    verb->add_option_function<std::string>(
+            dial.option(),
+            [options, &dial](const std::string& text) {
+              dial.set(options->dials, text);
+              options->turned.push_back(&dial);
+            },
+            dial.help)
+        ->type_name(std::string(dial.value));
   add_global_options(*verb, global);
   verb->footer("\n" + methods_help() + details);
   verb->callback([options, &global] {

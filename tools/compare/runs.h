@@ -1,0 +1,50 @@
+// What a comparison has measured, before anything is made of it: each contender at each budget,
+// several times, with seeds of its own.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/output/run_record.h"
+#include "core/rendering.h"
+
+namespace wander::compare {
+
+// A method at one setting of its dials: a line of every table, a curve of every figure.
+struct Contender {
+  std::string label;              // "mlt", or "mlt large_step=0.1" in a sweep
+  std::string method;             // of --method
+  std::string dial{}, setting{};  // "large_step", "0.1"; both empty where nothing is swept
+};
+
+// One rendering.  The film is whole, because errors against the mean of the replicates need it.
+struct Run {
+  std::size_t contender = 0, budget = 0, replicate = 0;
+  std::uint64_t seed = 1, samples = 0;
+  double seconds = 0;              // wall time of sampling, seed pass included
+  double seed_seconds = 0;         // of which seed pass
+  std::uint64_t seed_samples = 0;  // of the seed pass; 0 for independent samples
+  FilmEstimate film;
+};
+
+// What errors are measured against: a film whose own error is known.
+struct Reference {
+  FilmEstimate film;   // standard_error is its own, and zero where it is exact
+  std::string origin;  // in words: "exact: ...", "the mean of two mlt runs of 120 s each", a file
+};
+
+struct Runs {
+  Provenance provenance;  // of the scene and of the command
+  std::vector<Contender> contenders{};
+  std::vector<std::string> budgets{};  // as given: "1s", "2M"
+  std::size_t replicates = 0;
+  std::vector<Run> runs{};  // in the order in which they were made
+  Reference reference{};
+  // The first replicate of each contender at the last budget, with all its records.
+  std::vector<Rendering> details{};
+  std::vector<std::string> warnings{};
+  bool complete = true;  // false: interrupted
+};
+
+}  // namespace wander::compare

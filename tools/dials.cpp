@@ -1,0 +1,64 @@
+#include "tools/dials.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "tools/failure.h"
+#include "tools/nearest.h"
+#include "tools/parsing.h"
+
+namespace wander {
+
+namespace {
+
+std::string_view for_all(std::string_view) { return {}; }
+std::string_view for_mlt(std::string_view method) {
+  return method == "mlt" ? "" : "is for mlt, whose mutations can be chosen";
+}
+std::string_view for_primary_methods(std::string_view method) {
+  return method == "pssmlt" || method == "mmlt" ? "" : "is for pssmlt and mmlt";
+}
+
+const std::vector<Dial>& table() {
+  static const std::vector<Dial> known{
+      {"mutations", "SPEC", mutations_help(), for_mlt,
+       [](Dials& dials, std::string_view text) { dials.mutations = parse_mutations(text); }},
+      {"estimator", "RULE",
+       "of pssmlt and mmlt: kelemen (large steps count as independent samples, too; what "
+       "pssmlt does by default) or expected (plain expected values; mmlt's default)",
+       for_primary_methods,
+       [](Dials& dials, std::string_view text) { dials.estimator = parse_estimator(text); }},
+      {"max_vertices", "N", "longest paths, both ends counted (default: what the scene says)",
+       for_all,
+       [](Dials& dials, std::string_view text) { dials.max_vertices = parse_max_vertices(text); }},
+  };
+  return known;
+}
+
+}  // namespace
+
+std::string Dial::option() const {
+  std::string name = "--" + std::string(word);
+  std::ranges::replace(name, '_', '-');
+  return name;
+}
+
+std::span<const Dial> dials() { return table(); }
+
+const Dial& find_dial(std::string_view word) {
+  std::vector<std::string_view> words;
+  for (const Dial& dial : table()) {
+    if (dial.word == word) return dial;
+    words.push_back(dial.word);
+  }
+  throw UsageError(unknown_word("dial", word, words));
+}
+
+void require_dial(const Dial& dial, std::string_view method) {
+  if (const std::string_view why = dial.missing(method); !why.empty())
+    throw UsageError(fmt::format("{} {}; {} does not have it", dial.option(), why, method));
+}
+
+}  // namespace wander
