@@ -33,7 +33,8 @@ struct FilmEstimate {
 };
 
 struct NormalizationEstimate : Estimate {
-  std::uint64_t samples = 0;
+  std::uint64_t samples = 0;  // of the seed pass
+  std::string failure{};      // why there is none; empty if there is
 };
 
 struct LengthShare : Estimate {

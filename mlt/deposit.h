@@ -14,18 +14,23 @@ namespace wander {
 class GroupFilm {
  public:
   GroupFilm(int bins, int max_vertices)
-      : weights_(static_cast<std::size_t>(bins)), lengths_(bins, max_vertices) {}
+      : weights_(static_cast<std::size_t>(bins)),
+        by_length_(static_cast<std::size_t>(max_vertices) - 1),
+        lengths_(bins, max_vertices) {}
 
   void add(int vertices, int bin, double weight) {
     weights_[static_cast<std::size_t>(bin)] += weight;
+    by_length_[static_cast<std::size_t>(vertices) - 2] += weight;
     lengths_.add(vertices, bin, weight);
   }
   double weight(std::size_t bin) const { return weights_[bin].value(); }
   std::size_t bins() const { return weights_.size(); }
+  // Of paths of n vertices over the whole film, at n - 2.
+  const std::vector<Sum>& by_length() const { return by_length_; }
   const LengthFilms& lengths() const { return lengths_; }
 
  private:
-  std::vector<Sum> weights_;
+  std::vector<Sum> weights_, by_length_;
   LengthFilms lengths_;
 };
 
@@ -54,6 +59,7 @@ class GroupsFilm {
   void add_dark_group();
 
   FilmEstimate estimate() const;
+  const std::vector<int>& resolution() const { return resolution_; }
 
  private:
   std::vector<int> resolution_;

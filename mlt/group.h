@@ -10,7 +10,7 @@
 
 #include "mlt/deposit.h"
 #include "mlt/functionals.h"
-#include "mlt/seed_pass.h"
+#include "mlt/group_findings.h"
 #include "mlt/statistics.h"
 
 namespace wander {
@@ -28,6 +28,7 @@ concept Group = requires(G& group, const G& made, std::uint64_t count, const See
   { made.steps() } -> std::same_as<std::uint64_t>;
   { made.chains() } -> std::same_as<int>;
   made.deliver(film, statistics, draws);
+  { made.findings() } -> std::same_as<GroupFindings>;
   G::move_names();  // of what its statistics count
 };
 
@@ -45,7 +46,29 @@ class SeededGroup {
       : space_(space),
         slice_(space, seed, group, seeds),
         film_(space.scene().bins(), space.max_vertices()),
+        states_(slice_.evidence().ratios.size()),
         statistics_(moves, space.scene().bins(), space.max_vertices()) {}
+
+  // Before the first step: keep_state() does not allocate.
+  void expect_states() {
+    constexpr int octaves = 24;  // beyond which a state tells the bridge nothing new
+    for (std::size_t k = 0; k < states_.size(); ++k)
+      states_[k].make_room(slice_.evidence().ratios[k], octaves);
+  }
+  // The state of a chain after each step: its f / p̄.
+  void keep_state(std::size_t stratum, double ratio) { states_[stratum].add_within(ratio); }
+
+  // All but the classes.  `scale` is that of the film; light(k) what the slice found in stratum k,
+  // which all states of that stratum together stand for.
+  template <class Light>
+  GroupFindings findings_of(double scale, Light&& light) const {
+    GroupFindings found{&slice_.tally(), &slice_.evidence(), &film_, scale};
+    for (std::size_t k = 0; k < states_.size(); ++k) {
+      const double count = states_[k].count();
+      found.states.push_back({&states_[k], count > 0 ? light(k) / count : 0});
+    }
+    return found;
+  }
 
   // step(k) for chain k, so often that the steps are shared evenly by `chains` of them.
   template <class Step>
@@ -62,6 +85,7 @@ class SeededGroup {
   const Space& space_;
   SeedSlice<Space, Seeds> slice_;
   GroupFilm film_;
+  std::vector<RatioHistogram> states_;  // by stratum
   MutationStatistics statistics_;
   std::uint64_t steps_ = 0;
 };

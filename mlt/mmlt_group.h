@@ -66,6 +66,7 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
 
   void start_chains(const SeedTally& others) {
     if (!takes_steps()) return;
+    this->expect_states();
     lengths_ = LengthSequence(shares_of_steps(others), numbers_.first_length());
     for (int k = 0; k < chains(); ++k) {
       const int n = k + 2;
@@ -75,7 +76,8 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
                          RejectionRuns(primary_move_names.size()),
                          0,
                          {this->tally().mean(n), others.mean(n), kernel_.large_step},
-                         scale});
+                         scale,
+                         static_cast<std::size_t>(k)});
       const Seed& seed = slice_.seed(k);
       if (seed.weight > 0) chains_.back().chain.start(slice_, seed, numbers_.place(k));
     }
@@ -93,6 +95,12 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
     statistics.merge(statistics_);
   }
 
+  GroupFindings findings() const {
+    const double scale = steps_ > 0 ? 1 / static_cast<double>(steps_) : 0;
+    return this->findings_of(
+        scale, [&](std::size_t k) { return this->tally().mean(static_cast<int>(k) + 2); });
+  }
+
  private:
   using Base = SeededGroup<Space, LengthSeeds>;
   using Base::film_;
@@ -108,6 +116,7 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
     std::uint64_t steps;
     PrimaryConstants constants;
     double scale;  // 1 / q_n
+    std::size_t stratum;
   };
 
   void step(Member& member) {
@@ -126,6 +135,8 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
       });
       return move;
     });
+    const double total = member.chain.total();
+    if (total > 0) this->keep_state(member.stratum, total / member.chain.techniques());
   }
   Features features_of(const MultiplexedPath<W>& sample) const {
     return sample.total > 0 ? features(space_, sample.path) : Features{};

@@ -26,6 +26,9 @@ class MultiplexedChain {
       throw SeedReplayError("a seed path could not be made again by its technique alone");
   }
 
+  double total() const { return chain_.current().total; }  // C = techniques · f / p̄
+  double techniques() const { return sampler_.techniques(); }
+
   // The observer gets a PrimaryStep of MultiplexedPath.
   template <class Random, class Observer>
   void step(Random& random, Observer&& observe) {

@@ -24,6 +24,7 @@ class PathGroup : public SeededGroup<Space, PathSeeds> {
 
   void start_chains(const SeedTally& others) {
     if (!slice_.found_light()) return;
+    this->expect_states();
     kernel_.learn(others);
     for (int k = 0; k < chain_count_; ++k) {
       const Path<W> path = slice_.replay(slice_.seed(k), space_.max_vertices());
@@ -42,6 +43,14 @@ class PathGroup : public SeededGroup<Space, PathSeeds> {
     film.add(film_, this->tally().mean(), steps_);
     statistics.merge(statistics_);
     for (const Member& member : chains_) draws.add(member.draws);
+  }
+
+  GroupFindings findings() const {
+    const double scale = steps_ > 0 ? this->tally().mean() / static_cast<double>(steps_) : 0;
+    auto found = this->findings_of(scale, [&](std::size_t) { return this->tally().mean(); });
+    for (const auto& visits : statistics_.visits())
+      found.classes.push_back({visits.path_class, scale * static_cast<double>(visits.steps)});
+    return found;
   }
 
  private:
@@ -73,7 +82,9 @@ class PathGroup : public SeededGroup<Space, PathSeeds> {
       });
       return mutation;
     });
-    member.draws.offer([&] { return functionals(space_, member.chain.current()); });
+    const Path<W>& state = member.chain.current();
+    this->keep_state(0, (state.contribution / state.intensity).value());
+    member.draws.offer([&] { return functionals(space_, state); });
   }
 
   Kernel kernel_;

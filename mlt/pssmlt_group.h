@@ -29,6 +29,7 @@ class PssmltGroup : public SeededGroup<Space, SampleSeeds> {
   void start_chains(const SeedTally& others) {
     constants_ = {this->tally().mean(), others.mean(), kernel_.large_step};
     if (!takes_steps()) return;
+    this->expect_states();
     for (int k = 0; k < chain_count_; ++k) {
       chains_.push_back({PrimaryChain<SplatSampler<Space>, SmallStep>(sampler_, kernel_),
                          Rng(seed_, Purpose::chain, static_cast<std::uint32_t>(first_chain_ + k)),
@@ -47,6 +48,11 @@ class PssmltGroup : public SeededGroup<Space, SampleSeeds> {
     statistics.merge(statistics_);
     if (!slice_.found_light()) return;  // chains that began in the dark have draws of nothing
     for (const Member& member : chains_) draws.add(member.draws);
+  }
+
+  GroupFindings findings() const {
+    const double scale = steps_ > 0 ? 1 / static_cast<double>(steps_) : 0;
+    return this->findings_of(scale, [&](std::size_t) { return this->tally().mean(); });
   }
 
  private:
@@ -86,6 +92,7 @@ class PssmltGroup : public SeededGroup<Space, SampleSeeds> {
     });
     if (!slice_.found_light()) return;
     const SampleSplats& current = member.chain.current();
+    this->keep_state(0, current.total);
     member.draws.offer([&] { return functionals(current.brightest(), std::log(current.total)); });
   }
 

@@ -9,19 +9,14 @@
 #include <memory>
 
 #include "core/run.h"
+#include "mlt/chain_settings.h"
 #include "mlt/group.h"
 #include "mlt/normalization.h"
+#include "mlt/normalized_film.h"
 #include "mlt/path_group.h"
 #include "mlt/warnings.h"
 
 namespace wander {
-
-struct ChainSettings {
-  int groups = 64;  // independent: their spread is the error bar
-  int chains_per_group = 4;
-  double seed_share = 0.25;  // of a time budget, and seed samples per mutation of a budget
-  std::uint64_t fewest_seeds = 1 << 15;  // samples, of all groups together
-};
 
 // No sample of the seed pass found a path from a light to the sensor.
 class NoLightFound : public std::runtime_error {
@@ -85,7 +80,8 @@ class ChainRenderer {
       const double share = settings_.seed_share * static_cast<double>(budget->samples);
       per_group = std::max(settings_.fewest_seeds, static_cast<std::uint64_t>(share)) / groups;
     } else {
-      seconds = settings_.seed_share * std::get<TimeBudget>(session_.budget).seconds;
+      seconds = settings_.seed_share / (1 + settings_.seed_share) *
+                std::get<TimeBudget>(session_.budget).seconds;
     }
     for (std::uint64_t done = 0; done < per_group;) {
       const std::uint64_t count = std::min(seeds_per_round, per_group - done);
@@ -158,8 +154,7 @@ class ChainRenderer {
     r.threads = run_.threads();
     r.seconds = run_.seconds();
     r.seed_seconds = seed_seconds;
-    r.film = film.estimate();
-    r.normalization = normalization(tally);
+    normalize(r, film);
     r.groups = settings_.groups;
     ChainsRecord chains;
     if (draws.chains() > 0) {
@@ -168,10 +163,30 @@ class ChainRenderer {
       r.chains_record = chains;
     }
     r.mutations = statistics.records();
-    if (rests_on_few_samples(tally)) r.film.reliable.assign(r.film.reliable.size(), false);
-    r.warnings = warnings(
-        {tally, draws, chains, statistics, static_cast<std::size_t>(settings_.chains_per_group)});
+    for (std::string& warning : warnings({tally, draws, chains, statistics,
+                                          static_cast<std::size_t>(settings_.chains_per_group)}))
+      r.warnings.push_back(std::move(warning));
     return r;
+  }
+
+  // `unbiased`: the mean of what each group says by its own slice of the seed pass.
+  void normalize(Rendering& r, const GroupsFilm& unbiased) const {
+    std::vector<GroupFindings> findings;
+    for (const auto& group : groups_) findings.push_back(group->findings());
+    const Constants b = constants(findings);
+    const NormalizationMethod method = b.usable(settings_.normalization);
+    r.normalization = normalization(findings, b, settings_.normalization);
+    r.film = method == NormalizationMethod::seed_pass
+                 ? unbiased.estimate()
+                 : normalized_film(findings, b[method], unbiased.resolution());
+    if (b[method].effective_samples < fewest_effective_samples)
+      r.film.reliable.assign(r.film.reliable.size(), false);
+    if (method != settings_.normalization)
+      r.warnings.push_back("b is the mean of the seed pass, for the " +
+                           std::string(name_of(settings_.normalization)) +
+                           " estimate failed: " + b[settings_.normalization].failure);
+    if (std::string alarm = disagreement_of_constants(findings, b); !alarm.empty())
+      r.warnings.push_back(std::move(alarm));
   }
 
   const Space& space_;

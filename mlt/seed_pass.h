@@ -13,7 +13,9 @@
 #include "core/path_sampler.h"
 #include "core/sum.h"
 #include "core/technique_table.h"
+#include "mlt/path_class.h"
 #include "mlt/primary_numbers.h"
+#include "mlt/ratio_histogram.h"
 #include "mlt/seeds.h"
 
 namespace wander {
@@ -58,6 +60,18 @@ struct SeedTally {
   }
 };
 
+// What normalization asks of a slice beside its tally: the ratios l = f / p̄ of what it found, by
+// stratum (seeds.h), and Σ w f/p of each bin of the film and of each class.
+struct SeedEvidence {
+  std::vector<RatioHistogram> ratios;
+  std::vector<Sum> film;
+  ClassTable classes;
+  std::vector<Sum> by_class = std::vector<Sum>(ClassTable::most_classes + 1);
+
+  SeedEvidence(int strata, int bins)
+      : ratios(static_cast<std::size_t>(strata)), film(static_cast<std::size_t>(bins)) {}
+};
+
 // One group's slice of the seed pass.  `Seeds` is what it draws for the chains (seeds.h).
 template <class Space, class Seeds = PathSeeds>
 class SeedSlice {
@@ -66,10 +80,12 @@ class SeedSlice {
 
   // `count`: how many seeds.
   SeedSlice(const Space& space, std::uint64_t seed, int group, int count)
-      : sampler_(space, all_techniques, Heuristic::balance),
+      : space_(&space),
+        sampler_(space, all_techniques, Heuristic::balance),
         samples_(seed, Purpose::seed_pass, static_cast<std::uint32_t>(group)),
         seeds_(Rng(seed, Purpose::resample, static_cast<std::uint32_t>(group)), count),
         tally_(space.max_vertices()),
+        evidence_(Seeds::strata(space.max_vertices()), space.scene().bins()),
         by_length_(tally_.sum.size()) {}
 
   void run(std::uint64_t count) {
@@ -77,6 +93,7 @@ class SeedSlice {
   }
 
   const SeedTally& tally() const { return tally_; }
+  const SeedEvidence& evidence() const { return evidence_; }
   bool found_light() const { return tally_.total.value() > 0; }
   const Seed& seed(int chain) const { return seeds_[chain]; }
 
@@ -121,8 +138,10 @@ class SeedSlice {
       if (tally_.techniques.has(x.size()))
         tally_.techniques.row(x.size())[static_cast<std::size_t>(s)] += weight;
       seeds_.offer_path({index, x.size(), s, weight});
+      keep(x, weight);
     });
     if (total == 0) return;
+    if constexpr (Seeds::ratios == Ratios::of_samples) evidence_.ratios[0].add(total);
     seeds_.offer_sample({.sample = index, .weight = total});
     tally_.total_squares += total * total;
     for (std::size_t k = 0; k < by_length_.size(); ++k) {
@@ -133,10 +152,20 @@ class SeedSlice {
     }
   }
 
+  // By the balance heuristic w f/p is f / Σ p_{s,t}.
+  void keep(const Path<W>& x, double weight) {
+    if constexpr (Seeds::ratios == Ratios::of_paths)
+      evidence_.ratios[Seeds::stratum(x.size())].add(weight);
+    evidence_.film[static_cast<std::size_t>(space_->bin(x))] += weight;
+    evidence_.by_class[evidence_.classes.index(path_class_of(x))] += weight;
+  }
+
+  const Space* space_;
   PathSampler<Space> sampler_;
   Rng samples_;
   Seeds seeds_;
   SeedTally tally_;
+  SeedEvidence evidence_;
   std::vector<double> by_length_;  // of the sample under way
 };
 

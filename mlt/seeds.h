@@ -18,6 +18,10 @@ struct Seed {
   double weight = 0;  // w f / p
 };
 
+// What the target density of a chain is divided by: the intensity of paths per sample, or that of
+// samples, which is one.
+enum class Ratios { of_paths, of_samples };
+
 // Independent draws from one stream of candidates.
 class Reservoirs {
  public:
@@ -37,9 +41,17 @@ class Reservoirs {
   Sum total_;
 };
 
+// Beside drawing, each kind of seeds says among which strata the states of its chains are compared
+// with the seed pass (bridge.h), by the ratios of what it found: one stratum for each target
+// density that the chains have.
+
 // The seeds of chains whose state is a path of any length.
 class PathSeeds {
  public:
+  static int strata(int) { return 1; }
+  static constexpr Ratios ratios = Ratios::of_paths;
+  static std::size_t stratum(int) { return 0; }
+
   PathSeeds(Rng random, int chains) : random_(random), reservoirs_(chains) {}
   void start(std::uint64_t sample) { random_.start(sample); }
   void offer_path(const Seed& path) { reservoirs_.offer(path, random_); }
@@ -54,6 +66,10 @@ class PathSeeds {
 // The seeds of chains whose state is a whole sample.
 class SampleSeeds {
  public:
+  static int strata(int) { return 1; }
+  static constexpr Ratios ratios = Ratios::of_samples;
+  static std::size_t stratum(int) { return 0; }
+
   SampleSeeds(Rng random, int chains) : random_(random), reservoirs_(chains) {}
   void start(std::uint64_t sample) { random_.start(sample); }
   void offer_path(const Seed&) {}
@@ -68,6 +84,10 @@ class SampleSeeds {
 // One seed for each length: of paths of n vertices at n - 2, of weight 0 if there are none.
 class LengthSeeds {
  public:
+  static int strata(int max_vertices) { return max_vertices - 1; }
+  static constexpr Ratios ratios = Ratios::of_paths;
+  static std::size_t stratum(int vertices) { return static_cast<std::size_t>(vertices) - 2; }
+
   LengthSeeds(Rng random, int lengths)
       : random_(random), reservoirs_(static_cast<std::size_t>(lengths), Reservoirs(1)) {}
   void start(std::uint64_t sample) { random_.start(sample); }

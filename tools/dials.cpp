@@ -13,12 +13,43 @@ namespace wander {
 
 namespace {
 
+std::string chains_help() {
+  constexpr ChainSettings usual;
+  return fmt::format(
+      "chains of all {0} groups together, a multiple of {0} (default: {1}); the fewer, the longer",
+      usual.groups, usual.groups * usual.chains_per_group);
+}
+std::string seed_share_help() {
+  return fmt::format(
+      "length of the seed pass: samples for each mutation of a sample budget, seconds for each "
+      "second of the chains in a time budget (default: {})",
+      ChainSettings{}.seed_share);
+}
+int parse_chains(std::string_view text) {
+  constexpr int groups = ChainSettings{}.groups;
+  const auto chains = static_cast<int>(parse_count("--chains", text, groups, 1 << 20));
+  if (chains % groups != 0)
+    throw UsageError(fmt::format("--chains '{}': allowed are multiples of {}", text, groups));
+  return chains / groups;
+}
+
 std::string_view for_all(std::string_view) { return {}; }
 std::string_view for_mlt(std::string_view method) {
   return method == "mlt" ? "" : "is for mlt, whose mutations can be chosen";
 }
 std::string_view for_primary_methods(std::string_view method) {
   return method == "pssmlt" || method == "mmlt" ? "" : "is for pssmlt and mmlt";
+}
+
+std::string_view for_chains(std::string_view method) {
+  return method == "mlt" || method == "pssmlt" || method == "mmlt"
+             ? ""
+             : "is for the Markov chain methods mlt, pssmlt and mmlt";
+}
+std::string_view for_counted_chains(std::string_view method) {
+  return method == "mlt" || method == "pssmlt"
+             ? ""
+             : "is for mlt and pssmlt; mmlt has one chain for each path length in each group";
 }
 
 const std::vector<Dial>& table() {
@@ -33,6 +64,21 @@ const std::vector<Dial>& table() {
       {"max_vertices", "N", "longest paths, both ends counted (default: what the scene says)",
        for_all,
        [](Dials& dials, std::string_view text) { dials.max_vertices = parse_max_vertices(text); }},
+      {"chains", "N", chains_help(), for_counted_chains,
+       [](Dials& dials, std::string_view text) {
+         dials.chains.chains_per_group = parse_chains(text);
+       }},
+      {"seed_share", "X", seed_share_help(), for_chains,
+       [](Dials& dials, std::string_view text) {
+         dials.chains.seed_share = parse_positive("--seed-share", text, 1e4);
+       }},
+      {"normalization", "RULE",
+       "where b comes from: bridge (default: bridge sampling of the seed pass and the chains), "
+       "least-squares (their films) or seed (the mean of the seed pass)",
+       for_chains,
+       [](Dials& dials, std::string_view text) {
+         dials.chains.normalization = parse_normalization(text);
+       }},
   };
   return known;
 }

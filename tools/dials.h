@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "mlt/chain_settings.h"
 #include "mutations/catalogue.h"
 
 namespace wander {
@@ -19,6 +20,7 @@ struct Dials {
   MutationWeights mutations{};                     // of mlt; empty: auto
   StepEstimator estimator = StepEstimator::usual;  // of pssmlt and mmlt
   std::optional<int> max_vertices{};               // of the paths; none: what the scene says
+  ChainSettings chains{};                          // of the Markov chain methods
 };
 
 // A dial as the command line knows it.

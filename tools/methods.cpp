@@ -38,11 +38,11 @@ using Flat = Transport<Flatland>;
 
 template <template <class Space, class SmallStep, class Estimator> class Chains>
 Rendering render_primary(const Flat& space, const Session& session, const char* method,
-                         StepEstimator estimator) {
+                         StepEstimator estimator, const ChainSettings& settings) {
   const PrimaryKernel<Kelemen> kernel{Kelemen{}, default_large_step};
   const auto with = [&]<class Estimator>(Estimator) {
     using Group = Chains<Flat, Kelemen, Estimator>;
-    return ChainRenderer<Flat, Group>(space, kernel, session, ChainSettings{}).render(method);
+    return ChainRenderer<Flat, Group>(space, kernel, session, settings).render(method);
   };
   return estimator == StepEstimator::kelemen ? with(KelemenWeights{}) : with(ExpectedValues{});
 }
@@ -67,11 +67,12 @@ Rendering render(const description::Scene& described, std::string_view method, c
   if (method == "pssmlt")
     return render_primary<PssmltGroup>(
         transport, session, "pssmlt",
-        dials.estimator == StepEstimator::usual ? StepEstimator::kelemen : dials.estimator);
+        dials.estimator == StepEstimator::usual ? StepEstimator::kelemen : dials.estimator,
+        dials.chains);
   if (method == "mmlt")
-    return render_primary<MmltGroup>(transport, session, "mmlt", dials.estimator);
+    return render_primary<MmltGroup>(transport, session, "mmlt", dials.estimator, dials.chains);
   const Family family = make_family(dials.mutations, requires_of(description));
-  return ChainRenderer(transport, family, session, ChainSettings{}).render("mlt");
+  return ChainRenderer(transport, family, session, dials.chains).render("mlt");
 }
 
 }  // namespace wander

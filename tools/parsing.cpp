@@ -119,6 +119,21 @@ StepEstimator parse_estimator(std::string_view text) {
   return estimators[static_cast<std::size_t>(found - estimator_words.begin())];
 }
 
+NormalizationMethod parse_normalization(std::string_view text) {
+  constexpr std::array<std::string_view, 3> words{"seed", "least-squares", "bridge"};
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found == words.end()) throw UsageError(unknown_word("normalization", text, words));
+  return static_cast<NormalizationMethod>(found - words.begin());
+}
+
+double parse_positive(std::string_view what, std::string_view text, double most) {
+  const auto number = number_in<double>(text);
+  if (!number || !(*number > 0) || *number > most)
+    throw UsageError(
+        fmt::format("{} '{}': allowed are numbers above 0, up to {}", what, text, most));
+  return *number;
+}
+
 std::string mutations_help() {
   return fmt::format(
       "auto (the default: all that the scene can use), or relative weights of these: {}=1",

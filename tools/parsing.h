@@ -26,6 +26,12 @@ std::string mutations_help();
 // `kelemen` or `expected`.
 StepEstimator parse_estimator(std::string_view text);
 
+// `seed`, `least-squares` or `bridge`.
+NormalizationMethod parse_normalization(std::string_view text);
+
+// A number above zero, and no larger than `most`.
+double parse_positive(std::string_view what, std::string_view text, double most);
+
 const MethodName& parse_method(std::string_view text);
 
 std::uint64_t parse_seed(std::string_view text);

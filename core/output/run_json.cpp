@@ -50,6 +50,7 @@ ordered_json json_of(const Normalization& normalization) {
     ordered_json& entry = json["estimates"][name];
     entry = json_of(static_cast<const Estimate&>(estimate));
     entry["samples"] = estimate.samples;
+    if (!estimate.failure.empty()) entry["failure"] = estimate.failure;
   }
   json["by_length"] = ordered_json::array();
   for (const LengthShare& share : normalization.by_length)

@@ -1,0 +1,18 @@
+// How the work of a Markov chain method is laid out.
+#pragma once
+
+#include <cstdint>
+
+#include "mlt/normalization.h"
+
+namespace wander {
+
+struct ChainSettings {
+  int groups = 64;  // independent: their spread is the error bar
+  int chains_per_group = 4;
+  double seed_share = 0.25;  // of the seed pass: samples per mutation, seconds per second of chains
+  std::uint64_t fewest_seeds = 1 << 15;  // samples, of all groups together
+  NormalizationMethod normalization = NormalizationMethod::bridge;
+};
+
+}  // namespace wander

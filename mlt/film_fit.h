@@ -1,0 +1,39 @@
+// The normalization constant as the factor between two films: b in I_j ≈ b p_j, with I the film of
+// the seed pass, p the film of the chains (of mean one), by least squares over the bins j.
+//
+// Sound where the obvious fits are not:
+// - weights do not come from the data that they weigh: the groups are split into halves, and one
+//   half's spread, smoothed over neighbouring bins, weighs the other's film;
+// - p has errors of its own: the variance of a residual is v_j + b0² Var p_j [effective variance;
+//   Orear 1982], with b0 the iterate before;
+// - the interval is a delete-a-group jackknife in which a group takes its slice of the seed pass
+// and
+//   its chains along, for a film's bins share samples and (JᵀJ)⁻¹ would know nothing of it.
+// What is left is a bias of the order 1/samples: for study, and as a second opinion on the bridge.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace wander {
+
+// One group: Σ of the seed pass over each bin, of so many samples; and what its chains deposited,
+// in a unit that all groups share.
+struct FilmFitGroup {
+  std::vector<double> found;
+  double samples;
+  std::vector<double> deposits;
+};
+
+struct FilmFit {
+  double b = 0;
+  std::vector<double> without;  // b from all groups but one
+  double chi2_per_degree = 0;   // of the residuals, as if bins were independent
+  std::string failure;          // why there is no b; empty if there is
+};
+
+// By Ceres; needs two groups in each half, and two bins.
+FilmFit fit_films(std::span<const FilmFitGroup> groups);
+
+}  // namespace wander

@@ -1,0 +1,37 @@
+// The delete-a-group jackknife [Quenouille 1956; Tukey 1958]: of G independent groups each is left
+// out once, and
+//   Var θ = (G - 1)/G Σ_g (θ_(g) - mean θ_(·))².
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace wander {
+
+// √Var θ from the θ_(g).  One group alone tells nothing: NaN.
+double jackknife_error(std::span<const double> without);
+
+// How many degrees of freedom the variance has: groups that move θ more than others count for
+// less.  (Σ v_g)² / Σ v_g² - 1 with v_g the squared deviations, never more than G - 1.
+double jackknife_degrees(std::span<const double> squared_deviations);
+
+// Shares of a whole: θ_k = b Σ_g x_gk / Σ_g Σ_k x_gk, with b an estimate of its own.
+class RatioJackknife {
+ public:
+  // x_gk, by group and part.
+  explicit RatioJackknife(const std::vector<std::vector<double>>& groups);
+
+  double value(std::size_t part) const;  // θ_k / b
+  // θ_k / b without a group; NaN if nothing is left.
+  double without(std::size_t part, std::size_t group) const;
+  // Of θ_k, where `b` is what b becomes without each group.
+  double error(std::size_t part, std::span<const double> b) const;
+
+ private:
+  const std::vector<std::vector<double>>& groups_;
+  std::vector<double> totals_, masses_;  // by part; by group
+  double mass_ = 0;
+};
+
+}  // namespace wander

@@ -1,0 +1,89 @@
+// How the ratio l = f / p̄ of paths is distributed, in memory that does not grow with their number.
+//
+// Bins are 1/32 of an octave wide, cut out of the bits of the double: a factor of 2^k shifts them
+// and changes nothing else.  A bin keeps its count and Σ l, so that a smooth function of l is
+// summed with a relative error of the second order in the width of a bin, below 1e-5.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <vector>
+
+namespace wander {
+
+class RatioHistogram {
+ public:
+  static constexpr int bits_per_octave = 5;
+
+  struct Bin {
+    double count = 0, sum = 0;  // of l
+  };
+
+  // A positive number; the histogram grows to hold it.
+  void add(double ratio) {
+    const int i = index_of(ratio);
+    if (bins_.empty()) first_ = i;
+    if (i < first_) {
+      bins_.insert(bins_.begin(), static_cast<std::size_t>(first_ - i), Bin{});
+      first_ = i;
+    }
+    if (i >= end()) bins_.resize(static_cast<std::size_t>(i - first_) + 1);
+    put(i, ratio);
+  }
+
+  // Room for what another histogram holds, and for so many octaves on either side.
+  void make_room(const RatioHistogram& other, int octaves) {
+    if (other.bins_.empty()) return;
+    const int margin = octaves << bits_per_octave;
+    first_ = std::max(0, other.first_ - margin);
+    bins_.assign(static_cast<std::size_t>(other.end() + margin - first_), Bin{});
+  }
+  // Without growing: what is beyond the room goes to its edge.
+  void add_within(double ratio) {
+    if (bins_.empty()) return;
+    put(std::clamp(index_of(ratio), first_, end() - 1), ratio);
+  }
+
+  void add(const RatioHistogram& other, double weight) {
+    if (other.bins_.empty()) return;
+    const int low = bins_.empty() ? other.first_ : std::min(first_, other.first_);
+    const int high = bins_.empty() ? other.end() : std::max(end(), other.end());
+    std::vector<Bin> bins(static_cast<std::size_t>(high - low));
+    std::ranges::copy(bins_, bins.begin() + (bins_.empty() ? 0 : first_ - low));
+    bins_ = std::move(bins);
+    first_ = low;
+    for (int i = other.first_; i < other.end(); ++i) {
+      bins_[static_cast<std::size_t>(i - first_)].count += weight * other[i].count;
+      bins_[static_cast<std::size_t>(i - first_)].sum += weight * other[i].sum;
+    }
+  }
+
+  // Bins are numbered alike in all histograms: first() ≤ i < end().
+  int first() const { return first_; }
+  int end() const { return first_ + static_cast<int>(bins_.size()); }
+  // Empty beyond the ends.
+  Bin operator[](int i) const {
+    return i < first_ || i >= end() ? Bin{} : bins_[static_cast<std::size_t>(i - first_)];
+  }
+  double count() const {
+    double sum = 0;
+    for (const Bin& bin : bins_) sum += bin.count;
+    return sum;
+  }
+
+ private:
+  static int index_of(double ratio) {
+    return static_cast<int>(std::bit_cast<std::uint64_t>(ratio) >> (52 - bits_per_octave));
+  }
+  void put(int i, double ratio) {
+    Bin& bin = bins_[static_cast<std::size_t>(i - first_)];
+    bin.count += 1;
+    bin.sum += ratio;
+  }
+
+  int first_ = 0;
+  std::vector<Bin> bins_;
+};
+
+}  // namespace wander
