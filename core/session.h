@@ -15,7 +15,11 @@ struct SampleBudget {
 struct TimeBudget {
   double seconds;  // wall time of sampling, seed pass included
 };
-using Budget = std::variant<SampleBudget, TimeBudget>;
+// Until √(Σ se² / Σ value²) of the film falls below it.
+struct ErrorBudget {
+  double relative;
+};
+using Budget = std::variant<SampleBudget, TimeBudget, ErrorBudget>;
 
 struct ProgressReport {
   double fraction = 0;        // of the budget, in [0, 1]

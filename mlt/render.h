@@ -8,7 +8,9 @@
 
 #include <memory>
 
+#include "core/output/film_statistics.h"
 #include "core/run.h"
+#include "core/stopping_rule.h"
 #include "mlt/chain_settings.h"
 #include "mlt/group.h"
 #include "mlt/normalization.h"
@@ -48,12 +50,16 @@ class ChainRenderer {
     const SeedTally tally = merged_tally();
     if (!(tally.total.value() > 0)) throw NoLightFound(tally.samples);
     start_chains();
-    run_chains();
+    if (const auto* budget = std::get_if<ErrorBudget>(&session_.budget))
+      return run_to(budget->relative, method, tally, seed_seconds);
+    const auto* budget = std::get_if<SampleBudget>(&session_.budget);
+    run_chains(budget ? budget->samples : std::numeric_limits<std::uint64_t>::max());
     return rendering(method, tally, seed_seconds);
   }
 
  private:
   static constexpr std::uint64_t steps_per_round = 1024;  // of each group
+  static constexpr std::uint64_t first_look = 1 << 17;    // steps, if the budget is an error
   static constexpr std::uint64_t seeds_per_round = 256;
 
   // A small budget makes fewer chains, so that it can be met exactly.
@@ -71,8 +77,40 @@ class ChainRenderer {
                  [&](int g) { work(*groups_[static_cast<std::size_t>(g)]); });
   }
 
-  // Every slice has the same number of samples.
+  // The error of the seed pass may be so much of the target, if that is the budget: then b takes
+  // no more than a quarter of the variance.
+  static constexpr double share_of_error = 0.5;
+
   void seed_pass() {
+    if (const auto* budget = std::get_if<ErrorBudget>(&session_.budget))
+      seed_pass_to(share_of_error * budget->relative);
+    else
+      seed_pass_of_budget();
+  }
+
+  // `per_group` more samples of each slice.
+  void add_seeds(std::uint64_t per_group) {
+    for (std::uint64_t done = 0; done < per_group && !run_.is_interrupted();) {
+      const std::uint64_t count = std::min(seeds_per_round, per_group - done);
+      in_parallel([&](Chains& group) { group.add_seeds(count); });
+      run_.report({0, done += count, run_.seconds(), "seed pass"});
+    }
+  }
+  void seed_pass_to(double target) {
+    const auto groups = static_cast<std::uint64_t>(settings_.groups);
+    add_seeds(settings_.fewest_seeds / groups);
+    while (!run_.is_interrupted()) {
+      const SeedTally tally = merged_tally();
+      if (!(tally.total.value() > 0) && tally.samples >= samples_in_the_dark) return;
+      const Normalization b = normalization(tally);
+      const double error = b.standard_error / b.value;
+      if (error <= target) return;
+      add_seeds((next_look(tally.samples, error, target) - tally.samples) / groups + 1);
+    }
+  }
+
+  // Every slice has the same number of samples.
+  void seed_pass_of_budget() {
     const auto groups = static_cast<std::uint64_t>(settings_.groups);
     std::uint64_t per_group = std::numeric_limits<std::uint64_t>::max();
     double seconds = std::numeric_limits<double>::infinity();
@@ -109,18 +147,29 @@ class ChainRenderer {
     return tally;
   }
 
+  Rendering run_to(double target, const char* method, const SeedTally& tally, double seed_seconds) {
+    std::uint64_t goal = first_look;
+    while (true) {
+      run_chains(goal);
+      Rendering r = rendering(method, tally, seed_seconds);
+      const double error = relative_error(r.film);
+      if (error <= target || run_.is_interrupted()) return r;
+      fraction_of_error_ = std::min(1.0, target * target / (error * error));
+      goal = next_look(goal, error, target);
+    }
+  }
+
   // The steps are shared evenly by the groups that take any.
-  void run_chains() {
+  void run_chains(std::uint64_t target) {
     std::vector<Chains*> active;
     for (const auto& group : groups_)
       if (group->takes_steps()) active.push_back(group.get());
     const auto count = static_cast<std::uint64_t>(active.size());
-    const auto* budget = std::get_if<SampleBudget>(&session_.budget);
-    const std::uint64_t target =
-        budget ? budget->samples : std::numeric_limits<std::uint64_t>::max();
-    const double seconds = budget ? std::numeric_limits<double>::infinity()
-                                  : std::get<TimeBudget>(session_.budget).seconds;
-    for (std::uint64_t done = 0; done < target;) {
+    const auto* budget = std::get_if<TimeBudget>(&session_.budget);
+    const double seconds = budget ? budget->seconds : std::numeric_limits<double>::infinity();
+    std::uint64_t done = 0;
+    for (const Chains* group : active) done += group->steps();
+    while (done < target) {
       const std::uint64_t round = std::min(steps_per_round * count, target - done);
       run_parallel(run_, static_cast<int>(count), [&](int i) {
         const auto k = static_cast<std::uint64_t>(i);
@@ -128,8 +177,10 @@ class ChainRenderer {
         active[k]->advance(goal - active[k]->steps());
       });
       done += round;
-      const double fraction = std::max(static_cast<double>(done) / static_cast<double>(target),
-                                       run_.seconds() / seconds);
+      const double of_steps = static_cast<double>(done) / static_cast<double>(target);
+      const double fraction = std::holds_alternative<ErrorBudget>(session_.budget)
+                                  ? fraction_of_error_
+                                  : std::max(of_steps, run_.seconds() / seconds);
       run_.report({fraction, done, run_.seconds(), "sampling"});
       if (run_.seconds() >= seconds || run_.is_interrupted()) break;
     }
@@ -193,6 +244,7 @@ class ChainRenderer {
   const Session& session_;
   ChainSettings settings_;
   Run run_;
+  double fraction_of_error_ = 0;  // of the way to the target, when last seen
   std::vector<std::unique_ptr<Chains>> groups_;
 };
 

@@ -84,15 +84,24 @@ std::pair<std::string, double> weight_in(std::string_view item) {
 }  // namespace
 
 Budget parse_budget(std::string_view text) {
+  constexpr std::string_view error = "error<";
+  if (text.starts_with(error)) {
+    const auto target = number_in<double>(text.substr(error.size()));
+    if (target && *target > 0 && *target < 1) return ErrorBudget{*target};
+    throw UsageError(fmt::format(
+        "budget '{}': allowed are relative errors above 0 and below 1, such as error<0.01", text));
+  }
   if (const auto seconds = quantity_in(text, time_units)) return TimeBudget{*seconds};
   const auto samples = quantity_in(text, sample_units);
   // Beyond 2^53 a count is no longer exact; 1.1k is 1100 even where its product is not.
   const double count = std::round(samples.value_or(0));
   if (samples && count >= 1 && count <= 0x1p53 && std::abs(*samples - count) <= 1e-12 * count)
     return SampleBudget{static_cast<std::uint64_t>(count)};
-  throw UsageError(fmt::format(
-      "budget '{}': allowed are samples (2000000, 300k, 5M) and seconds of wall time (30s, 1.5s)",
-      text));
+  throw UsageError(
+      fmt::format("budget '{}': allowed are samples (2000000, 300k, 5M), seconds of wall time "
+                  "(30s, 1.5s) and a "
+                  "relative error of the film (error<0.01)",
+                  text));
 }
 
 MutationWeights parse_mutations(std::string_view text) {

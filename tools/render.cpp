@@ -110,8 +110,9 @@ std::string methods_help() {
 }
 
 constexpr const char* details = R"(
-A budget is a number of samples (2000000, 300k, 5M) or seconds of wall time (30s, 1.5s).
-The same seed and number of samples give the same film, whatever the number of threads.
+A budget is a number of samples (2000000, 300k, 5M), seconds of wall time (30s, 1.5s), or the
+relative error of the film, sqrt(sum of se^2 / sum of value^2), at which to stop ('error<0.01').
+The same seed and number of samples, or error, give the same film, whatever the number of threads.
 
 DIR receives film.exr, film.csv and run.json.  Ctrl-C saves what was computed so far.
 
