@@ -20,6 +20,6 @@ inline std::uint64_t next_look(std::uint64_t samples, double error, double targe
 }
 
 // So many samples that find no light at all are enough to say that there is none.
-inline constexpr std::uint64_t samples_in_the_dark = std::uint64_t{1} << 24;
+inline constexpr std::uint64_t samples_in_the_dark = std::uint64_t{1} << 20;
 
 }  // namespace wander

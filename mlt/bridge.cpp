@@ -10,10 +10,11 @@ namespace wander {
 
 namespace {
 
-// All that is known of paths whose l is about the same, in units of the direct estimate.
+// Paths whose l is about the same: of each side its mean l, in units of the direct estimate, and
+// how many there are, per sample of the seed pass and as a share of all states.
 struct Cell {
-  double ratio;
-  double found, states;  // per sample of the seed pass, and as a share of all states
+  double found_ratio, state_ratio;
+  double found, states;
 };
 
 // The derivative of the loss of bridge.h over β = log(b / b_direct) vanishes where both of its
@@ -28,11 +29,12 @@ class Score : public ceres::SizedCostFunction<1, 1> {
     const double unit = balance_ * std::exp(-parameters[0][0]);
     double found = 0, states = 0, slope_found = 0, slope_states = 0;
     for (const Cell& c : cells_) {
-      const double p = unit * c.ratio / (1 + unit * c.ratio);
+      const double p = unit * c.found_ratio / (1 + unit * c.found_ratio);
+      const double q = 1 / (1 + unit * c.state_ratio);
       found += c.found * p;
-      states += balance_ * c.states * (1 - p);
+      states += balance_ * c.states * q;
       slope_found -= c.found * p * (1 - p);
-      slope_states += balance_ * c.states * p * (1 - p);
+      slope_states += balance_ * c.states * q * (1 - q);
     }
     residual[0] = std::log(found / states);
     if (jacobians && jacobians[0]) jacobians[0][0] = slope_found / found - slope_states / states;
@@ -83,8 +85,9 @@ class Cells {
     for (int i = low; i < std::max(found.end(), states.end()); ++i) {
       const RatioHistogram::Bin f = found[i], s = states[i];
       if (f.count + s.count == 0) continue;
-      const double mean = f.count > 0 ? f.sum / f.count : s.sum / s.count;
-      cells_.push_back({mean / direct_, f.count / samples_, s.count / all_states_});
+      cells_.push_back({f.count > 0 ? f.sum / f.count / direct_ : 1,
+                        s.count > 0 ? s.sum / s.count / direct_ : 1, f.count / samples_,
+                        s.count / all_states_});
       bins_.push_back(i);
     }
   }
@@ -119,8 +122,8 @@ class Cells {
     const BridgeGroup& g = groups_[group];
     Sums sums{.mass = state_mass_[group]};
     for (std::size_t k = 0; k < cells_.size(); ++k) {
-      sums.paths += (*g.found)[bins_[k]].count * h(cells_[k].ratio);
-      sums.states += g.state_weight * (*g.states)[bins_[k]].count * m(cells_[k].ratio);
+      sums.paths += (*g.found)[bins_[k]].count * h(cells_[k].found_ratio);
+      sums.states += g.state_weight * (*g.states)[bins_[k]].count * m(cells_[k].state_ratio);
     }
     return sums;
   }
@@ -143,10 +146,10 @@ double best_balance(const Cells& cells, double balance, double beta) {
   const auto m = [&](double l) { return 1 / (balance * l + std::exp(beta)); };
   double mean_h = 0, square_h = 0, mean_m = 0, square_m = 0;
   for (const Cell& c : cells.all()) {
-    mean_h += c.found * h(c.ratio);
-    square_h += c.found * h(c.ratio) * h(c.ratio);
-    mean_m += c.states * m(c.ratio);
-    square_m += c.states * m(c.ratio) * m(c.ratio);
+    mean_h += c.found * h(c.found_ratio);
+    square_h += c.found * h(c.found_ratio) * h(c.found_ratio);
+    mean_m += c.states * m(c.state_ratio);
+    square_m += c.states * m(c.state_ratio) * m(c.state_ratio);
   }
   double spread_h = 0, spread_m = 0;  // of the means of all groups
   for (std::size_t g = 0; g < cells.groups(); ++g) {
@@ -164,7 +167,7 @@ double best_balance(const Cells& cells, double balance, double beta) {
 double effective_paths(const Cells& cells, double balance, double beta) {
   double sum = 0, squares = 0;
   for (const Cell& c : cells.all()) {
-    const double h = c.ratio / (balance * c.ratio + std::exp(beta));
+    const double h = c.found_ratio / (balance * c.found_ratio + std::exp(beta));
     sum += c.found * h;
     squares += c.found * h * h;
   }
