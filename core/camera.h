@@ -66,7 +66,7 @@ struct Camera {
     for (std::size_t k = 0; k < across.size(); ++k) {
       const Length u = glm::dot(focus, across[k]) / (focus_distance * extent[k]) + Length(0.5);
       if (!(u >= 0 && u < 1)) return {};
-      film[k] = static_cast<Real>(u);
+      film[k] = unit_number<Real>(u);
     }
     return film;
   }

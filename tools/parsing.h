@@ -26,6 +26,13 @@ std::string mutations_help();
 // `kelemen` or `expected`.
 StepEstimator parse_estimator(std::string_view text);
 
+// `float` or `double`.
+Precision parse_precision(std::string_view text);
+// A share of steps, above 0 and below 1.
+double parse_large_step(std::string_view text);
+// A factor on how far small moves go, from 0.001 to 100.
+double parse_kernel(std::string_view text);
+
 const MethodName& parse_method(std::string_view text);
 
 std::uint64_t parse_seed(std::string_view text);
