@@ -231,7 +231,7 @@ void Transport<W>::evaluate(Path<W>& x, int i) const {
               to_sensor = local(v, v.place.to_sensor);
   const Scattering<W> s = std::visit(
       [&](const auto& m) { return m.evaluate(v.event, to_light, to_sensor); }, material(v));
-  const double q = survival(v);
+  const auto q = static_cast<double>(survival(v));
   v.value = s.value;
   x[i + 1].from_light = static_cast<Real>(q * s.toward_sensor * v.geometry);
   x[i - 1].from_sensor = static_cast<Real>(q * s.toward_light * x[i - 1].geometry);
