@@ -20,7 +20,9 @@ double grey(const description::Quantity& q) { return q.channels[0]; }
 
 // As the world holds them: float knows fewer of them apart.
 template <class Real>
-bool indices_match(Real a, Real b) { return std::abs(a / b - 1) < matched_below; }
+bool indices_match(Real a, Real b) {
+  return std::abs(a / b - 1) < matched_below;
+}
 
 // Adds shapes that share a material, a light and a sensor.
 template <World W>

@@ -42,7 +42,9 @@ struct Camera {
     Square p{};
     for (std::size_t k = 0; k < across.size(); ++k)
       p[k] = static_cast<Real>(glm::dot(lens - position, across[k]) / lens_radius);
-    return W::Dimension::ball_invert(p);
+    Square u = W::Dimension::ball_invert(p);
+    for (Real& number : u) number = into_unit<Real>(number);
+    return u;
   }
   Real lens_density() const {
     if (is_pinhole()) return 1;

@@ -1,6 +1,5 @@
 #include "core/material.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace wander {
@@ -80,8 +79,7 @@ typename W::Square visible_normal_numbers(typename W::Real alpha, typename W::Lo
   auto u = W::Dimension::visible_normal_invert(
       alpha, rounded<W>(W::Dimension::cosine(known) < 0 ? -known : known),
       rounded<W>(upward<W>(h)));
-  using Real = typename W::Real;
-  for (auto& x : u) x = std::clamp(x, Real(0), std::nextafter(Real(1), Real(0)));
+  for (auto& x : u) x = into_unit<typename W::Real>(x);
   return u;
 }
 
@@ -155,7 +153,7 @@ std::optional<ScatterSample<W>> Diffuse<W>::sample(Local known, ScatterNumbers<W
 template <World W>
 InvertedNumbers<W> Diffuse<W>::invert(Local, Local sampled, Event) const {
   InvertedNumbers<W> numbers{.direction = W::Dimension::cosine_invert(rounded<W>(sampled))};
-  for (auto& x : numbers.direction) x = std::clamp(x, Real(0), std::nextafter(Real(1), Real(0)));
+  for (auto& x : numbers.direction) x = into_unit<Real>(x);
   return numbers;
 }
 

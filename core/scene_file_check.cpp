@@ -204,9 +204,14 @@ void Check::check_camera() {
   if (!camera) return;
   const auto position = document_.find(*camera, "position"),
              target = document_.find(*camera, "target");
-  if (position && target && !is_faulty(*position) && !is_faulty(*target) &&
-      *position->value == *target->value)
+  if (!position || !target || is_faulty(*position) || is_faulty(*target)) return;
+  const auto apart = [&](std::size_t axis) {
+    return position->value->at(axis).get<double>() - target->value->at(axis).get<double>();
+  };
+  if (*position->value == *target->value)
     note(*target, "position and target are the same point; a camera looks from one to another");
+  else if (!has_dimension(3) && std::hypot(apart(0), apart(1)) < shortest_length)
+    note(*target, "nearer to position than 1e-150, the least length that can be computed with");
 }
 
 }  // namespace

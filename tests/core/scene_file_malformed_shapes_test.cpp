@@ -156,6 +156,10 @@ INSTANTIATE_TEST_SUITE_P(
                       a_light + R"(, {"type": "segment", "from": [0,0], "to": [1,0],
             "material": "frost", "sensor": ^{"bins": 3}} ]})",
                   {{"/shapes/1/sensor", "a sensor cannot lie on the rough_dielectric"}}},
+        Malformed{"CameraTooNear",
+                  shapes_only("[" + a_light + R"(], "camera": {
+            "type": "perspective", "position": [0,2e-200], "target": ^[0,1e-200], "fov_deg": 40, "resolution": 8})"),
+                  {{"/camera/target", "nearer to position than 1e-150"}}},
         Malformed{"CameraWithoutDirection",
                   shapes_only("[" + a_light + R"(], "camera": {
             "type": "perspective", "position": [1,2], "target": ^[1,2], "fov_deg": 40, "resolution": 8})"),
