@@ -109,7 +109,8 @@ TYPED_TEST(Extremes, TheCriticalAngleIsNoCliff) {
   }
 }
 
-// n^(D-1) of the side that light arrives on, exactly; and as much étendue in as out.
+// As much étendue in as out, n^(D-1) being that of the side that light arrives on.  The cosine
+// across is 1 - η² sin², which keeps η² ε.
 TYPED_TEST(Extremes, GlassOfExtremeIndexConservesEtendue) {
   using Real = typename TypeParam::Real;
   for (const double index : {1e3, 1e-3}) {
@@ -120,9 +121,9 @@ TYPED_TEST(Extremes, GlassOfExtremeIndexConservesEtendue) {
       ASSERT_TRUE(across);
       const auto enters = glass.evaluate(Event::transmission, in, *across);
       const auto leaves = glass.evaluate(Event::transmission, *across, in);
-      EXPECT_NEAR(double(enters.value) / double(leaves.value) / index, 1,
-                  8 * TestFixture::rounding);
-      EXPECT_EQ(enters.toward_light, leaves.toward_sensor);
+      const double tolerance = 1e6 * 0x1p-52 + 8 * TestFixture::rounding;
+      EXPECT_NEAR(double(enters.value) / double(leaves.value) / index, 1, tolerance);
+      EXPECT_NEAR(double(enters.toward_light) / double(leaves.toward_sensor), 1, tolerance);
     }
   }
 }
@@ -141,9 +142,9 @@ TYPED_TEST(Extremes, AFurnaceWithGlassOfExtremeIndexIsAtEquilibrium) {
     const auto film = sample_film(*scene, find_estimator("pt"), 20'000, 3);
     EXPECT_TRUE(passes(matches(film.total, {2 * index}))) << "index " << index;
     EXPECT_TRUE(rejects(matches(film.total, {2.2 * index})));
-    // Without connections every path finds the same light.
+    // Without connections every path finds the same light, but for what 40 vertices leave in glass.
     const auto naive = sample_film(*scene, find_estimator("pt-naive"), 1000, 3);
-    EXPECT_NEAR(naive.mean.value / (2 * index), 1, 1000 * TestFixture::rounding);
+    EXPECT_NEAR(naive.mean.value / (2 * index), 1, 1e-10 + 1000 * TestFixture::rounding);
   }
 }
 
