@@ -8,8 +8,10 @@
 
 namespace wander {
 
-// The description is valid, as the reader of scene files leaves it.
-std::unique_ptr<const Scene<Flatland>> build_flatland(const description::Scene& scene);
+// The description is valid, as the reader of scene files leaves it.  `W` is a world of two
+// dimensions, in the precision that is wanted.
+template <World W = Flatland>
+std::unique_ptr<const Scene<W>> build_flatland(const description::Scene& scene);
 
 // The materials as the scene models them: roughness below 1e-8 is smooth, and an interface of rough
 // glass between equal indices lets everything pass.

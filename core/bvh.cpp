@@ -220,6 +220,7 @@ bool Bvh<W>::any(const Ray<W>& ray) const {
 }
 
 template class Bvh<Flatland>;
+template class Bvh<FlatlandSingle>;
 template class Bvh<Spaceland>;
 
 }  // namespace wander

@@ -42,7 +42,9 @@ struct Camera {
     Square p{};
     for (std::size_t k = 0; k < across.size(); ++k)
       p[k] = static_cast<Real>(glm::dot(lens - position, across[k]) / lens_radius);
-    return W::Dimension::ball_invert(p);
+    Square u = W::Dimension::ball_invert(p);
+    for (Real& number : u) number = into_unit<Real>(number);
+    return u;
   }
   Real lens_density() const {
     if (is_pinhole()) return 1;
@@ -66,7 +68,7 @@ struct Camera {
     for (std::size_t k = 0; k < across.size(); ++k) {
       const Length u = glm::dot(focus, across[k]) / (focus_distance * extent[k]) + Length(0.5);
       if (!(u >= 0 && u < 1)) return {};
-      film[k] = static_cast<Real>(u);
+      film[k] = unit_number<Real>(u);
     }
     return film;
   }

@@ -41,6 +41,7 @@ Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Sess
 }
 
 template Rendering estimate(const Scene<Flatland>&, const Estimator&, const Session&);
+template Rendering estimate(const Scene<FlatlandSingle>&, const Estimator&, const Session&);
 template Rendering estimate(const Scene<Spaceland>&, const Estimator&, const Session&);
 
 }  // namespace wander

@@ -1,6 +1,5 @@
 #include "core/material.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace wander {
@@ -11,11 +10,11 @@ namespace {
 // under total internal reflection.  `h` is the normal on the side of w.
 template <World W>
 std::optional<typename W::Local> refract(typename W::Local w, typename W::Local h,
-                                         typename W::Real n_w, typename W::Real n_across) {
-  using Real = typename W::Real;
-  const Real eta = n_w / n_across, cosine = glm::dot(w, h);
+                                         typename W::Length n_w, typename W::Length n_across) {
+  using Length = typename W::Length;
+  const Length eta = n_w / n_across, cosine = glm::dot(w, h);
   const auto along = w - cosine * h;
-  const Real squared_sine = eta * eta * glm::dot(along, along);
+  const Length squared_sine = eta * eta * glm::dot(along, along);
   if (squared_sine >= 1) return {};
   return glm::normalize(-eta * along - std::sqrt(1 - squared_sine) * h);
 }
@@ -34,38 +33,53 @@ typename W::Local upward(typename W::Local h) {
 
 // Index of refraction on the side of w.
 template <World W, class M>
-typename W::Real index_at(const M& glass, typename W::Local w) {
+typename W::Length index_at(const M& glass, typename W::Local w) {
   return W::Dimension::cosine(w) > 0 ? glass.exterior : glass.interior;
 }
 template <World W, class M>
-typename W::Real index_across(const M& glass, typename W::Local w) {
+typename W::Length index_across(const M& glass, typename W::Local w) {
   return W::Dimension::cosine(w) > 0 ? glass.interior : glass.exterior;
+}
+
+// A direction as densities take it: every component keeps the precision that `Real` has.
+template <World W>
+auto rounded(typename W::Local w) {
+  return Vec<W::dimension, typename W::Real>(w);
+}
+
+// And back: of unit length in the precision of angles.
+template <World W>
+typename W::Local exact_unit(Vec<W::dimension, typename W::Real> w) {
+  if constexpr (std::same_as<typename W::Real, typename W::Length>)
+    return w;
+  else
+    return glm::normalize(typename W::Local(w));
 }
 
 // Smith: Λ = (-1 + sqrt(1 + α² tan² θ)) / 2 for GGX, in both dimensions.
 template <World W>
 typename W::Real smith_lambda(typename W::Real alpha, typename W::Local w) {
-  using Real = typename W::Real;
-  const Real cosine = W::Dimension::cosine(w);
-  const Real a = alpha * alpha * W::Dimension::squared_sine(w) / (cosine * cosine);
-  return a / (2 * (1 + std::sqrt(1 + a)));
+  using Length = typename W::Length;
+  const Length cosine = W::Dimension::cosine(w);
+  const Length a = alpha * alpha * W::Dimension::squared_sine(w) / (cosine * cosine);
+  return static_cast<typename W::Real>(a / (2 * (1 + std::sqrt(1 + a))));
 }
 
 // Normals visible from `known`, on its side of the surface.
 template <World W>
 typename W::Local visible_normal(typename W::Real alpha, typename W::Local known,
                                  typename W::Square u) {
-  const typename W::Local h = W::Dimension::visible_normal_sample(
-      alpha, W::Dimension::cosine(known) < 0 ? -known : known, u);
+  const typename W::Local h = exact_unit<W>(W::Dimension::visible_normal_sample(
+      alpha, rounded<W>(W::Dimension::cosine(known) < 0 ? -known : known), u));
   return W::Dimension::cosine(known) < 0 ? -h : h;
 }
 template <World W>
 typename W::Square visible_normal_numbers(typename W::Real alpha, typename W::Local known,
                                           typename W::Local h) {
   auto u = W::Dimension::visible_normal_invert(
-      alpha, W::Dimension::cosine(known) < 0 ? -known : known, upward<W>(h));
-  using Real = typename W::Real;
-  for (auto& x : u) x = std::clamp(x, Real(0), std::nextafter(Real(1), Real(0)));
+      alpha, rounded<W>(W::Dimension::cosine(known) < 0 ? -known : known),
+      rounded<W>(upward<W>(h)));
+  for (auto& x : u) x = into_unit<typename W::Real>(x);
   return u;
 }
 
@@ -79,12 +93,13 @@ struct Facets {
   Real light_h, sensor_h;  // |ω·h|
 
   Facets(Real alpha, typename W::Local h, typename W::Local to_light, typename W::Local to_sensor)
-      : density(W::Dimension::ggx(alpha, h)),
+      : density(W::Dimension::ggx(alpha, rounded<W>(h))),
         lambda_light(smith_lambda<W>(alpha, to_light)),
         lambda_sensor(smith_lambda<W>(alpha, to_sensor)),
-        cosines(std::abs(W::Dimension::cosine(to_light) * W::Dimension::cosine(to_sensor))),
-        light_h(std::abs(glm::dot(to_light, h))),
-        sensor_h(std::abs(glm::dot(to_sensor, h))) {}
+        cosines(static_cast<Real>(
+            std::abs(W::Dimension::cosine(to_light) * W::Dimension::cosine(to_sensor)))),
+        light_h(static_cast<Real>(std::abs(glm::dot(to_light, h)))),
+        sensor_h(static_cast<Real>(std::abs(glm::dot(to_sensor, h)))) {}
 
   Real masking() const { return 1 / (1 + lambda_light + lambda_sensor); }
   Real visible_from_light() const { return 1 / (1 + lambda_light); }
@@ -130,15 +145,15 @@ Scattering<W> Diffuse<W>::evaluate(Event, Local to_light, Local to_sensor) const
 
 template <World W>
 std::optional<ScatterSample<W>> Diffuse<W>::sample(Local known, ScatterNumbers<W> u) const {
-  Local sampled = W::Dimension::cosine_sample(u.direction);
+  Local sampled(W::Dimension::cosine_sample(u.direction));
   if (W::Dimension::cosine(known) < 0) sampled[W::dimension - 1] = -sampled[W::dimension - 1];
   return ScatterSample<W>{sampled, Event::scattering};
 }
 
 template <World W>
 InvertedNumbers<W> Diffuse<W>::invert(Local, Local sampled, Event) const {
-  InvertedNumbers<W> numbers{.direction = W::Dimension::cosine_invert(sampled)};
-  for (auto& x : numbers.direction) x = std::clamp(x, Real(0), std::nextafter(Real(1), Real(0)));
+  InvertedNumbers<W> numbers{.direction = W::Dimension::cosine_invert(rounded<W>(sampled))};
+  for (auto& x : numbers.direction) x = into_unit<Real>(x);
   return numbers;
 }
 
@@ -172,30 +187,33 @@ template <World W>
 Scattering<W> Dielectric<W>::evaluate(Event event, Local to_light, Local to_sensor) const {
   const bool reflects = same_side<W>(to_light, to_sensor);
   if (reflects != (event == Event::reflection)) return {};
-  const Real n_light = index_at<W>(*this, to_light), n_across = index_across<W>(*this, to_light);
-  const Real f = fresnel(std::abs(W::Dimension::cosine(to_light)), n_light, n_across);
-  if (reflects) return {f, f, f};
-  const Real to_sensor_spread = W::Dimension::index_spread(n_across);
-  return {(1 - f) * to_sensor_spread, (1 - f) * to_sensor_spread,
-          (1 - f) * W::Dimension::index_spread(n_light)};
+  const auto n_light = index_at<W>(*this, to_light), n_across = index_across<W>(*this, to_light);
+  const auto f = fresnel(std::abs(W::Dimension::cosine(to_light)), n_light, n_across);
+  const auto reflected = static_cast<Real>(f), transmitted = static_cast<Real>(1 - f);
+  if (reflects) return {reflected, reflected, reflected};
+  const auto to_sensor_spread = static_cast<Real>(W::Dimension::index_spread(n_across));
+  const auto to_light_spread = static_cast<Real>(W::Dimension::index_spread(n_light));
+  return {transmitted * to_sensor_spread, transmitted * to_sensor_spread,
+          transmitted * to_light_spread};
 }
 
 template <World W>
 auto Dielectric<W>::follow(Local known, Event event) const -> std::optional<Local> {
   if (event == Event::reflection) return mirrored<W>(known);
   Local normal(0);
-  normal[W::dimension - 1] = std::copysign(Real(1), W::Dimension::cosine(known));
+  normal[W::dimension - 1] = std::copysign(typename W::Length(1), W::Dimension::cosine(known));
   return refract<W>(known, normal, index_at<W>(*this, known), index_across<W>(*this, known));
 }
 
 template <World W>
 auto Dielectric<W>::follow_density(Local followed, Event event) const -> Real {
-  return event == Event::reflection ? 1 : W::Dimension::index_spread(index_at<W>(*this, followed));
+  if (event == Event::reflection) return 1;
+  return static_cast<Real>(W::Dimension::index_spread(index_at<W>(*this, followed)));
 }
 
 template <World W>
 std::optional<ScatterSample<W>> Dielectric<W>::sample(Local known, ScatterNumbers<W> u) const {
-  const Real f = fresnel(std::abs(W::Dimension::cosine(known)), index_at<W>(*this, known),
+  const auto f = fresnel(std::abs(W::Dimension::cosine(known)), index_at<W>(*this, known),
                          index_across<W>(*this, known));
   const Event event = u.lobe < f ? Event::reflection : Event::transmission;
   const auto direction = follow(known, event);
@@ -205,8 +223,9 @@ std::optional<ScatterSample<W>> Dielectric<W>::sample(Local known, ScatterNumber
 
 template <World W>
 InvertedNumbers<W> Dielectric<W>::invert(Local known, Local, Event event) const {
-  const Real f = fresnel(std::abs(W::Dimension::cosine(known)), index_at<W>(*this, known),
-                         index_across<W>(*this, known));
+  const auto f =
+      static_cast<Real>(fresnel(std::abs(W::Dimension::cosine(known)), index_at<W>(*this, known),
+                                index_across<W>(*this, known)));
   const bool reflects = event == Event::reflection;
   return {.lobe_low = reflects ? 0 : f, .lobe_high = reflects ? f : 1, .direction_is_free = true};
 }
@@ -257,21 +276,24 @@ std::optional<typename W::Local> refracting_facet(const M& glass, typename W::Lo
 
 template <World W>
 Scattering<W> RoughDielectric<W>::evaluate(Event, Local to_light, Local to_sensor) const {
-  const Real n_light = index_at<W>(*this, to_light), n_sensor = index_at<W>(*this, to_sensor);
-  const Real n_across = index_across<W>(*this, to_light);
+  const auto n_light = index_at<W>(*this, to_light), n_sensor = index_at<W>(*this, to_sensor);
+  const auto n_across = index_across<W>(*this, to_light);
   if (same_side<W>(to_light, to_sensor)) {
-    const Facets<W> facets(roughness, half_vector<W>(to_light, to_sensor), to_light, to_sensor);
-    return reflect_at_facets(facets, fresnel(facets.light_h, n_light, n_across));
+    const Local h = half_vector<W>(to_light, to_sensor);
+    const Facets<W> facets(roughness, h, to_light, to_sensor);
+    const auto f = fresnel(std::abs(glm::dot(to_light, h)), n_light, n_across);
+    return reflect_at_facets(facets, static_cast<Real>(f));
   }
   const auto h = refracting_facet<W>(*this, to_light, to_sensor);
   if (!h) return {};
   const Facets<W> facets(roughness, *h, to_light, to_sensor);
   // ∂ω_h/∂ω_o = (n_o / |n_i i + n_o o|)^(D-1) |o·h|
-  const Real sum = glm::length(n_light * to_light + n_sensor * to_sensor);
-  const Real common = (1 - fresnel(facets.light_h, n_light, n_across)) * facets.density *
-                      facets.light_h * facets.sensor_h / facets.cosines;
-  const Real to_sensor_spread = W::Dimension::index_spread(n_sensor / sum);
-  const Real to_light_spread = W::Dimension::index_spread(n_light / sum);
+  const auto sum = glm::length(n_light * to_light + n_sensor * to_sensor);
+  const auto f = fresnel(std::abs(glm::dot(to_light, *h)), n_light, n_across);
+  const Real common =
+      static_cast<Real>(1 - f) * facets.density * facets.light_h * facets.sensor_h / facets.cosines;
+  const auto to_sensor_spread = static_cast<Real>(W::Dimension::index_spread(n_sensor / sum));
+  const auto to_light_spread = static_cast<Real>(W::Dimension::index_spread(n_light / sum));
   return {common * to_sensor_spread * facets.masking(),
           common * to_sensor_spread * facets.visible_from_light(),
           common * to_light_spread * facets.visible_from_sensor()};
@@ -280,8 +302,8 @@ Scattering<W> RoughDielectric<W>::evaluate(Event, Local to_light, Local to_senso
 template <World W>
 std::optional<ScatterSample<W>> RoughDielectric<W>::sample(Local known, ScatterNumbers<W> u) const {
   const Local h = visible_normal<W>(roughness, known, u.direction);
-  const Real n_known = index_at<W>(*this, known), n_across = index_across<W>(*this, known);
-  const Real cosine = glm::dot(known, h);
+  const auto n_known = index_at<W>(*this, known), n_across = index_across<W>(*this, known);
+  const auto cosine = glm::dot(known, h);
   if (!(cosine > 0)) return {};
   if (u.lobe < fresnel(cosine, n_known, n_across)) {
     const Local reflected = glm::normalize(2 * cosine * h - known);
@@ -298,8 +320,8 @@ InvertedNumbers<W> RoughDielectric<W>::invert(Local known, Local sampled, Event)
   const bool reflects = same_side<W>(known, sampled);
   const Local h = reflects ? half_vector<W>(known, sampled)
                            : refracting_facet<W>(*this, known, sampled).value_or(upward<W>(known));
-  const Real f = fresnel(std::abs(glm::dot(known, h)), index_at<W>(*this, known),
-                         index_across<W>(*this, known));
+  const auto f = static_cast<Real>(fresnel(std::abs(glm::dot(known, h)), index_at<W>(*this, known),
+                                           index_across<W>(*this, known)));
   return {.direction = visible_normal_numbers<W>(roughness, known, h),
           .lobe_low = reflects ? 0 : f,
           .lobe_high = reflects ? f : 1};
@@ -312,6 +334,7 @@ InvertedNumbers<W> RoughDielectric<W>::invert(Local known, Local sampled, Event)
   template struct RoughConductor<World>; \
   template struct RoughDielectric<World>;
 WANDER_MATERIALS(Flatland)
+WANDER_MATERIALS(FlatlandSingle)
 WANDER_MATERIALS(Spaceland)
 #undef WANDER_MATERIALS
 

@@ -1,4 +1,5 @@
-// Scattering at a surface.  Directions are local (normal last) and point away from the surface.
+// Scattering at a surface.  Directions are local (normal last) and point away from the surface;
+// what is made of them is rounded to `Real` at the end, where that is less.
 //
 // All values and densities are with respect to *projected angle* dσ⊥ = |cos θ| dω, so a density of
 // directions times the geometry term G is a density of area, and where a direction is sampled in

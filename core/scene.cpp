@@ -88,6 +88,7 @@ auto Scene<W>::sensor_measure() const -> Length {
 }
 
 template class Scene<Flatland>;
+template class Scene<FlatlandSingle>;
 template class Scene<Spaceland>;
 
 }  // namespace wander

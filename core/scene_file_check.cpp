@@ -18,6 +18,14 @@ using namespace description;
 
 bool same_point(const Coordinates& a, const Coordinates& b) { return a == b; }  // -0 is 0
 
+// Squares of shorter lengths are no normal numbers.
+constexpr double shortest_length = 1e-150;
+constexpr const char* too_short =
+    "shorter than 1e-150, the least length that can be computed with; enlarge the scene";
+bool too_near(const Coordinates& a, const Coordinates& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]) < shortest_length;
+}
+
 class Check {
  public:
   Check(const JsonDocument& document, const std::vector<JsonFault>& faults,
@@ -38,8 +46,11 @@ class Check {
 
   void check_shape(JsonNode shape, const Segment& segment);
   void check_shape(JsonNode shape, const Polyline& polyline);
-  void check_shape(JsonNode, const Circle&) {}
+  void check_shape(JsonNode shape, const Circle& circle) { check_radius(shape, circle.radius); }
   void check_shape(JsonNode shape, const Arc& arc);
+  void check_radius(JsonNode shape, double radius) {
+    if (radius < shortest_length) note(at(shape, "radius"), too_short);
+  }
 
   bool is_faulty(JsonNode node) const {
     const auto found = fault_bytes_.lower_bound(document_.byte_of(node));
@@ -158,20 +169,28 @@ void Check::check_geometry(const std::vector<JsonMember>& shapes) {
 void Check::check_shape(JsonNode shape, const Segment& segment) {
   if (same_point(segment.from, segment.to))
     note(at(shape, "to"), "from and to are the same point; a segment has a length > 0");
+  else if (too_near(segment.from, segment.to))
+    note(at(shape, "to"), too_short);
 }
 
 void Check::check_shape(JsonNode shape, const Polyline& polyline) {
   const auto& points = polyline.points;
   const std::vector<JsonMember> nodes = document_.children(at(shape, "points"));
-  for (std::size_t i = 1; i < points.size() && !is_full(); ++i)
+  for (std::size_t i = 1; i < points.size() && !is_full(); ++i) {
     if (same_point(points[i], points[i - 1]))
       note(nodes[i].node, "this repeats the point before it; leave one of the two out");
+    else if (too_near(points[i], points[i - 1]))
+      note(nodes[i].node, too_short);
+  }
   if (polyline.closed && same_point(points.front(), points.back()))
     note(nodes.back().node,
          "this repeats the first point; leave it out, for \"closed\" joins the ends");
+  else if (polyline.closed && too_near(points.front(), points.back()))
+    note(nodes.back().node, too_short);
 }
 
 void Check::check_shape(JsonNode shape, const Arc& arc) {
+  check_radius(shape, arc.radius);
   if (arc.from_degrees == arc.to_degrees)
     note(at(shape, "to_deg"),
          "from_deg and to_deg are equal; an arc spans > 0 and at most 360 degrees");
@@ -185,9 +204,14 @@ void Check::check_camera() {
   if (!camera) return;
   const auto position = document_.find(*camera, "position"),
              target = document_.find(*camera, "target");
-  if (position && target && !is_faulty(*position) && !is_faulty(*target) &&
-      *position->value == *target->value)
+  if (!position || !target || is_faulty(*position) || is_faulty(*target)) return;
+  const auto apart = [&](std::size_t axis) {
+    return position->value->at(axis).get<double>() - target->value->at(axis).get<double>();
+  };
+  if (*position->value == *target->value)
     note(*target, "position and target are the same point; a camera looks from one to another");
+  else if (!has_dimension(3) && std::hypot(apart(0), apart(1)) < shortest_length)
+    note(*target, "nearer to position than 1e-150, the least length that can be computed with");
 }
 
 }  // namespace

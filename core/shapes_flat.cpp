@@ -32,8 +32,7 @@ template <World W>
 typename W::Square Segment<W>::parameter(Point p) const {
   const Point along = to_ - from_;
   const Length u = glm::dot(p - from_, along) / glm::dot(along, along);
-  return {static_cast<typename W::Real>(
-      std::clamp(u, Length(0), std::nextafter(Length(1), Length(0))))};
+  return {into_unit<typename W::Real>(u)};
 }
 
 template <World W>
@@ -108,8 +107,7 @@ typename W::Square Arc<W>::parameter(Point p) const {
     angle = beyond <= extent_ || -angle > beyond - extent_ ? beyond : Length(0);
   }
   const Length u = angle / extent_;
-  return {static_cast<typename W::Real>(
-      std::clamp(u, Length(0), std::nextafter(Length(1), Length(0))))};
+  return {into_unit<typename W::Real>(u)};
 }
 
 template <World W>
@@ -125,6 +123,8 @@ Box<W> Arc<W>::bounds() const {
 }
 
 template class Segment<Flatland>;
+template class Segment<FlatlandSingle>;
 template class Arc<Flatland>;
+template class Arc<FlatlandSingle>;
 
 }  // namespace wander

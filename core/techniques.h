@@ -59,11 +59,13 @@ double mis_weight(const Space& space, const Path<W>& x, int s, const TechniqueSe
   double above = 0, below = 0;  // Σ (p_j / p_s)^β over j > s and over j < s
   for (int i = x.size() - 1; i >= s; --i) {
     const double possible = can_sample(space, x, i + 1, set) ? 1 : 0;
-    above = raised(x[i].from_light / x[i].from_sensor, heuristic) * (possible + above);
+    above =
+        raised(double(x[i].from_light) / double(x[i].from_sensor), heuristic) * (possible + above);
   }
   for (int i = 0; i < s; ++i) {
     const double possible = can_sample(space, x, i, set) ? 1 : 0;
-    below = raised(x[i].from_sensor / x[i].from_light, heuristic) * (possible + below);
+    below =
+        raised(double(x[i].from_sensor) / double(x[i].from_light), heuristic) * (possible + below);
   }
   return 1 / (1 + above + below);
 }
@@ -81,9 +83,10 @@ template <class W>
 double unweighted_contribution(const Path<W>& x, int s) {
   const int n = x.size();
   double c = s > 0 && s < n ? x[s - 1].geometry : 1;
-  for (int i = 0; i < s; ++i) c *= (i > 0 ? x[i - 1].geometry : 1) * x[i].value / x[i].from_light;
+  for (int i = 0; i < s; ++i)
+    c *= (i > 0 ? x[i - 1].geometry : 1) * double(x[i].value) / double(x[i].from_light);
   for (int i = n - 1; i >= s; --i)
-    c *= (i < n - 1 ? x[i].geometry : 1) * x[i].value / x[i].from_sensor;
+    c *= (i < n - 1 ? x[i].geometry : 1) * double(x[i].value) / double(x[i].from_sensor);
   return c;
 }
 
@@ -106,13 +109,13 @@ void measure(const Space& space, Path<W>& x) {
   Scaled p = technique_density(x, 0), sum;
   for (int s = 0; s <= n; ++s) {
     if (can_sample(space, x, s, all_techniques)) sum += p;
-    if (s < n) p *= x[s].from_light / double(x[s].from_sensor);
+    if (s < n) p *= double(x[s].from_light) / double(x[s].from_sensor);
   }
   x.intensity = sum;
   p = technique_density(x, 0) / sum;
   for (int s = 0; s <= n; ++s) {
     if (can_sample(space, x, s, all_techniques)) weights[static_cast<std::size_t>(s)] = p.value();
-    if (s < n) p *= x[s].from_light / double(x[s].from_sensor);
+    if (s < n) p *= double(x[s].from_light) / double(x[s].from_sensor);
   }
 }
 

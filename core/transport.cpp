@@ -1,5 +1,6 @@
 #include "core/transport.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace wander {
@@ -8,8 +9,7 @@ namespace {
 
 template <World W>
 typename W::Local local(const Vertex<W>& v, typename W::Direction direction) {
-  return typename W::Local(
-      Frame<W::dimension, typename W::Length>{v.place.normal}.to_local(direction));
+  return Frame<W::dimension, typename W::Length>{v.place.normal}.to_local(direction);
 }
 
 // G without visibility: |cos cos'| / r^(D-1) for the edge along `direction`.
@@ -27,6 +27,14 @@ void place(Vertex<W>& v, const SurfacePoint<W>& p, ShapeId shape, Event event) {
   v.place.normal = p.normal;
   v.place.shape = shape;
   v.event = event;
+}
+
+// Coordinates of the unit cube that are made of angles.
+template <World W>
+typename W::Square square(const std::array<typename W::Length, W::dimension - 1>& u) {
+  typename W::Square numbers;
+  std::ranges::transform(u, numbers.begin(), into_unit<typename W::Real, typename W::Length>);
+  return numbers;
 }
 
 // The event at a surface as long as no direction away from it has been sampled.  On a specular
@@ -142,7 +150,8 @@ double Transport<W>::aim_density(const Path<W>& x, int i, Toward toward) const {
   const Vertex<W>& v = x[i];
   const Direction way = direction(x, i, toward);
   const double edge = x[toward == Toward::sensor ? i : i - 1].geometry;
-  if (is_camera(v)) return scene_->camera()->direction_density(v.place.position, way) * edge;
+  if (is_camera(v))
+    return double(scene_->camera()->direction_density(v.place.position, way)) * edge;
   return edge / static_cast<double>(std::abs(glm::dot(way, v.place.normal)));
 }
 
@@ -222,7 +231,7 @@ void Transport<W>::evaluate(Path<W>& x, int i) const {
               to_sensor = local(v, v.place.to_sensor);
   const Scattering<W> s = std::visit(
       [&](const auto& m) { return m.evaluate(v.event, to_light, to_sensor); }, material(v));
-  const double q = survival(v);
+  const auto q = static_cast<double>(survival(v));
   v.value = s.value;
   x[i + 1].from_light = static_cast<Real>(q * s.toward_sensor * v.geometry);
   x[i - 1].from_sensor = static_cast<Real>(q * s.toward_light * x[i - 1].geometry);
@@ -248,7 +257,7 @@ InvertedNumbers<W> Transport<W>::inverted(const Path<W>& x, int i, Toward toward
   if (v.event == Event::detection && v.place.shape == no_shape)
     return {.direction = *scene_->camera()->film_coordinate(v.place.position, sampled)};
   if (v.event == Event::emission || v.event == Event::detection)
-    return {.direction = W::Dimension::cosine_invert(local(v, sampled))};
+    return {.direction = square<W>(W::Dimension::cosine_invert(local(v, sampled)))};
   return std::visit(
       [&](const auto& m) {
         return m.invert(local(v, known_direction(x, i, toward)), local(v, sampled), v.event);
@@ -286,6 +295,7 @@ auto Transport<W>::film(const Path<W>& x) const -> typename W::Square {
 }
 
 template class Transport<Flatland>;
+template class Transport<FlatlandSingle>;
 template class Transport<Spaceland>;
 
 }  // namespace wander

@@ -138,15 +138,15 @@ class Transport {
   PointNumbers<W> point_numbers(Random& random) const {
     PointNumbers<W> u;
     u.light = random.uniform();
-    for (auto& number : u.position) number = static_cast<Real>(random.uniform());
+    for (auto& number : u.position) number = unit_number<Real>(random.uniform());
     return u;
   }
   // The number that chooses a lobe is drawn only where a lobe is chosen.
   template <class Random>
   ScatterNumbers<W> scatter_numbers(Random& random, const Vertex<W>& v) const {
     ScatterNumbers<W> u;
-    for (auto& number : u.direction) number = static_cast<Real>(random.uniform());
-    if (has_lobes(v)) u.lobe = static_cast<Real>(random.uniform());
+    for (auto& number : u.direction) number = unit_number<Real>(random.uniform());
+    if (has_lobes(v)) u.lobe = unit_number<Real>(random.uniform());
     return u;
   }
   bool has_lobes(const Vertex<W>& v) const;
@@ -176,7 +176,7 @@ PointNumbers<W> Transport<W>::invert_begin(const Path<W>& x, int i, Random& rand
   const double free = random.uniform();
   u.light = x[i].event == Event::emission ? light_choice(x[i].place.shape, free) : free;
   if (x[i].place.shape == no_shape && scene_->camera()->is_pinhole())
-    for (auto& number : u.position) number = static_cast<Real>(random.uniform());
+    for (auto& number : u.position) number = unit_number<Real>(random.uniform());
   return u;
 }
 
@@ -188,8 +188,8 @@ ScatterNumbers<W> Transport<W>::invert_extend(const Path<W>& x, int i, Toward to
   ScatterNumbers<W> u;
   u.direction = numbers.direction;
   if (numbers.direction_is_free)
-    for (auto& number : u.direction) number = static_cast<Real>(random.uniform());
-  const Real free = static_cast<Real>(random.uniform());
+    for (auto& number : u.direction) number = unit_number<Real>(random.uniform());
+  const Real free = unit_number<Real>(random.uniform());
   u.lobe = numbers.lobe_low + free * (numbers.lobe_high - numbers.lobe_low);
   return u;
 }

@@ -106,7 +106,8 @@ class Cells {
     for (std::size_t k = 0; k < cells_.size(); ++k) {
       const Cell& c = cells_[k];
       const double their_states = g.state_weight * (*g.states)[bins_[k]].count;
-      cells[k] = {c.ratio, std::max(0.0, c.found * samples_ - (*g.found)[bins_[k]].count) / samples,
+      cells[k] = {c.found_ratio, c.state_ratio,
+                  std::max(0.0, c.found * samples_ - (*g.found)[bins_[k]].count) / samples,
                   std::max(0.0, c.states * all_states_ - their_states) / states};
       found += cells[k].found;
     }
@@ -164,14 +165,17 @@ double best_balance(const Cells& cells, double balance, double beta) {
   return std::isfinite(ratio) && ratio > 0 ? ratio : balance;
 }
 
-double effective_paths(const Cells& cells, double balance, double beta) {
-  double sum = 0, squares = 0;
-  for (const Cell& c : cells.all()) {
-    const double h = c.found_ratio / (balance * c.found_ratio + std::exp(beta));
-    sum += c.found * h;
-    squares += c.found * h * h;
+// How many independent events would tell E_B[Σ h] as well as the groups do.
+double effective_samples(const Cells& cells, double balance, double beta) {
+  const auto h = [&](double l) { return l / (balance * l + std::exp(beta)); };
+  double mean = 0, spread = 0;
+  for (const Cell& c : cells.all()) mean += c.found * h(c.found_ratio);
+  for (std::size_t g = 0; g < cells.groups(); ++g) {
+    const double paths = cells.sums_of(g, h, [](double) { return 0.0; }).paths;
+    const double d = (paths - cells.samples_of(g) * mean) / cells.samples();
+    spread += d * d;
   }
-  return squares > 0 ? cells.samples() * sum * sum / squares : 0;
+  return spread > 0 ? mean * mean / spread : cells.samples();
 }
 
 }  // namespace
@@ -193,7 +197,7 @@ BridgeFit bridge(std::span<const BridgeGroup> groups) {
     return fit;
   }
   fit.b = cells.direct() * std::exp(*beta);
-  fit.effective_paths = effective_paths(cells, fit.balance, *beta);
+  fit.effective_samples = effective_samples(cells, fit.balance, *beta);
   std::vector<Cell> rest(cells.all().size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
     std::optional<double> part;

@@ -33,9 +33,10 @@ struct BridgeGroup {
 struct BridgeFit {
   double b = 0;
   std::vector<double> without;  // b from all groups but one, for the jackknife
-  double effective_paths = 0;   // of the seed pass: (Σ h)² / Σ h² with h = l / (r l + b)
-  double balance = 1;           // r
-  std::string failure;          // why there is no b; empty if there is
+  // How many independent events would know the seed pass's side as well as its groups do.
+  double effective_samples = 0;
+  double balance = 1;   // r
+  std::string failure;  // why there is no b; empty if there is
 };
 
 // By Ceres, which solves L'(β) = 0.  b is unknown if no path was found or no state seen, or if

@@ -71,7 +71,7 @@ Constant from_bridge(std::span<const GroupFindings> groups) {
     const BridgeFit fit = bridge(sides);
     if (!fit.failure.empty()) return {.failure = fit.failure};
     constant.b.value += fit.b;
-    constant.effective_samples += fit.effective_paths;
+    constant.effective_samples += fit.effective_samples;
     for (std::size_t g = 0; g < groups.size(); ++g) constant.without[g] += fit.without[g];
   }
   constant.b.standard_error = jackknife_error(constant.without);

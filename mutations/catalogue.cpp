@@ -15,9 +15,9 @@ constexpr std::string_view word_of() {
 }
 
 template <class M>
-constexpr double share_of() {
-  if constexpr (requires { M::share; })
-    return M::share;
+double share_of([[maybe_unused]] double large_step) {
+  if constexpr (requires { M::share(large_step); })
+    return M::share(large_step);
   else
     return 1;
 }
@@ -40,18 +40,21 @@ std::string_view left_out([[maybe_unused]] const Requirements& scene) {
 
 // An aggregate could be made of a number, too, but its parameters are not the length of paths.
 template <class M>
-M make(int max_vertices) {
+M make([[maybe_unused]] double kernel, [[maybe_unused]] int max_vertices) {
   if constexpr (!std::is_aggregate_v<M> && std::is_constructible_v<M, int>)
     return M(max_vertices);
+  else if constexpr (requires { M{}.scaled(kernel); })
+    return M{}.scaled(kernel);
   else
     return M{};
 }
 
 template <class M>
-double weight_of(const MutationWeights& weights) {
-  if (weights.empty()) return share_of<M>();
+double weight_of(const FamilySettings& settings) {
+  const MutationWeights& weights = settings.weights;
+  if (weights.empty()) return share_of<M>(settings.large_step);
   const auto given = std::ranges::find(weights, word_of<M>(), &MutationWeights::value_type::first);
-  return given == weights.end() ? 0 : given->second * share_of<M>();
+  return given == weights.end() ? 0 : given->second * share_of<M>(settings.large_step);
 }
 
 template <class M>
@@ -74,8 +77,8 @@ void for_each_mutation(const Mixture<Ms...>*, F&& f) {
 constexpr const Family* family = nullptr;
 
 template <class... Ms>
-Mixture<Ms...> made(const Mixture<Ms...>*, const MutationWeights& weights, int max_vertices) {
-  return Mixture<Ms...>({weight_of<Ms>(weights)...}, make<Ms>(max_vertices)...);
+Mixture<Ms...> made(const Mixture<Ms...>*, const FamilySettings& settings, int max_vertices) {
+  return Mixture<Ms...>({weight_of<Ms>(settings)...}, make<Ms>(settings.kernel, max_vertices)...);
 }
 
 }  // namespace
@@ -94,13 +97,14 @@ MutationChoice choose_mutations(const Requirements& scene) {
   return choice;
 }
 
-Family make_family(const MutationWeights& weights, int max_vertices) {
-  return made(family, weights, max_vertices);
+Family make_family(const FamilySettings& settings, int max_vertices) {
+  return made(family, settings, max_vertices);
 }
 
-Family make_family(const MutationWeights& weights, const Requirements& scene) {
-  return make_family(weights.empty() ? choose_mutations(scene).weights : weights,
-                     scene.max_vertices);
+Family make_family(const FamilySettings& settings, const Requirements& scene) {
+  FamilySettings chosen = settings;
+  if (chosen.weights.empty()) chosen.weights = choose_mutations(scene).weights;
+  return make_family(chosen, scene.max_vertices);
 }
 
 }  // namespace wander

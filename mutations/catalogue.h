@@ -2,7 +2,8 @@
 //
 // Beside what every mutation has (mlt/mutation.h), one may say
 // - `word`, of --mutations, that it goes by if not by its name; a word may stand for several;
-// - `share`, its part of that word's weight, if not 1;
+// - `share(large_step)`, its part of that word's weight, if not 1;
+// - `scaled(factor)`, the same mutation with moves so many times as far, if it moves a little;
 // - `auto_weight`, of its word where the weights are `auto`, if not 1;
 // - `left_out(scene)`, why a scene has no use for it; empty if it has.
 #pragma once
@@ -39,9 +40,16 @@ struct MutationChoice {
 };
 MutationChoice choose_mutations(const Requirements& scene);
 
+// How the mutations act.
+struct FamilySettings {
+  MutationWeights weights{};
+  double large_step = default_large_step;  // of the primary steps, the share that is large
+  double kernel = 1;                       // a factor on how far small moves go
+};
+
 // The mixture for paths of up to `max_vertices` vertices.  No weights: every mutation.
-Family make_family(const MutationWeights& weights, int max_vertices);
+Family make_family(const FamilySettings& settings, int max_vertices);
 // The mixture for a scene.  No weights: what `auto` makes of it.
-Family make_family(const MutationWeights& weights, const Requirements& scene);
+Family make_family(const FamilySettings& settings, const Requirements& scene);
 
 }  // namespace wander

@@ -18,6 +18,8 @@ struct Caustic {
   static constexpr std::string_view name = "caustic";
   PerturbationRange range{};
 
+  Caustic scaled(double factor) const { return {range.scaled(factor)}; }
+
   static std::string_view left_out(const Requirements& scene) {
     if (scene.caustic_paths_possible || scene.glossy) return {};
     return "no smooth or rough mirror or glass focuses light on a surface that scatters or listens";

@@ -3,12 +3,18 @@
 //   K(u→v) = 1 / (2 |v - u| ln(s2/s1)).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace wander {
 
 struct Kelemen {
   double smallest = 1.0 / 1024, largest = 1.0 / 64;
+
+  // The same moves so many times as far; half the circle is the farthest.
+  Kelemen scaled(double factor) const {
+    return {smallest * factor, std::min(largest * factor, 0.5)};
+  }
 
   struct Move {
     double u;

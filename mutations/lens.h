@@ -16,6 +16,8 @@ struct Lens {
   static constexpr std::string_view name = "lens";
   PerturbationRange range{};
 
+  Lens scaled(double factor) const { return {range.scaled(factor)}; }
+
   template <class Space>
   double applicability(const Space&, const Path<typename Space::Universe>& x) const {
     return stretch(x) ? 1 : 0;

@@ -2,12 +2,18 @@
 //   p(d) = 1 / (d ln(largest / smallest)),  smallest < d <= largest
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace wander {
 
 struct LogUniform {
   double smallest, largest;
+
+  // The same distances so many times as long, up to `most`.
+  LogUniform scaled(double factor, double most) const {
+    return {smallest * factor, std::min(largest * factor, most)};
+  }
 
   struct Distance {
     double value;

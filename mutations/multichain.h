@@ -18,6 +18,8 @@ struct Multichain {
   static constexpr std::string_view name = "multichain";
   PerturbationRange range{};
 
+  Multichain scaled(double factor) const { return {range.scaled(factor)}; }
+
   static std::string_view left_out(const Requirements& scene) {
     if (scene.specular && scene.scatters && scene.max_vertices >= 4) return {};
     return "no path has a specular vertex behind one that scatters, as the sensor sees it";

@@ -14,6 +14,8 @@
 // left of dω/dA in the ratio is the cosine at each turned direction.  Measure: area product.
 #pragma once
 
+#include <numbers>
+
 #include "core/transport.h"
 #include "mlt/join.h"
 #include "mlt/mutation.h"
@@ -25,6 +27,11 @@ namespace wander {
 struct PerturbationRange {
   LogUniform position{1e-4, 0.5};  // as a share of the film, or of the light's extent
   LogUniform angle{1e-5, 0.1};     // radians
+
+  // So many times as far; across the film is the farthest, and half a turn.
+  PerturbationRange scaled(double factor) const {
+    return {position.scaled(factor, 1), angle.scaled(factor, std::numbers::pi)};
+  }
 };
 
 struct Stretch {

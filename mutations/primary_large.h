@@ -23,7 +23,7 @@ class PrimaryLarge {
  public:
   static constexpr std::string_view name = "primary_large", word = primary_word;
   static constexpr double auto_weight = primary_auto_weight;
-  static constexpr double share = default_large_step;
+  static constexpr double share(double large_step) { return large_step; }
   // Of q, after a seed pass.
   static constexpr double uniform_part = 0.25;
 

@@ -18,8 +18,10 @@ namespace wander {
 struct PrimarySmall {
   static constexpr std::string_view name = "primary_small", word = primary_word;
   static constexpr double auto_weight = primary_auto_weight;
-  static constexpr double share = 1 - default_large_step;
+  static constexpr double share(double large_step) { return 1 - large_step; }
   Kelemen kernel{};
+
+  PrimarySmall scaled(double factor) const { return {kernel.scaled(factor)}; }
 
   template <class Space>
   double applicability(const Space&, const Path<typename Space::Universe>&) const {
@@ -75,7 +77,7 @@ struct PrimarySmall {
   template <class Real, class Random>
   double move(Real& u, Random& random) const {
     const auto [moved, density] = kernel.move(static_cast<double>(u), random);
-    u = static_cast<Real>(moved);
+    u = unit_number<Real>(moved);
     return density;
   }
 };

@@ -7,21 +7,20 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "core/build_scene.h"
 #include "tools/check_report.h"
 #include "tools/console.h"
+#include "tools/dial_options.h"
 #include "tools/failure.h"
 #include "tools/interruption.h"
 #include "tools/parsing.h"
 #include "tools/progress.h"
 #include "tools/scene_source.h"
 #include "tools/verb.h"
+#include "tools/world_checks.h"
 
 namespace wander {
 
 namespace {
-
-using Flat = Transport<Flatland>;
 
 // Of the whole command; shared by its decisions after Bonferroni.
 constexpr double false_alarm_of_all = 1e-6;
@@ -31,7 +30,7 @@ constexpr std::uint64_t samples_per_film = 4;
 
 struct CheckOptions {
   std::string scene;
-  MutationWeights mutations;
+  std::shared_ptr<DialOptions> given = std::make_shared<DialOptions>();
   std::uint64_t samples = 200'000;
 };
 
@@ -63,24 +62,11 @@ class Parts {
   std::uint64_t samples_ = 0;
 };
 
-void require_light(const Starts<Flat>& starts) {
-  if (starts.found_light()) return;
-  throw CommandFailure(
-      ExitCode::failure,
-      fmt::format("nothing can be checked: {} bidirectional samples found no light path from a "
-                  "light to the sensor; look for walls without a gap, a light or sensor that faces "
-                  "away, or a max_vertices that is too small",
-                  starts.tried()));
-}
-
 CheckReport check(const SceneDocument& document, const CheckOptions& options,
                   const Session& session) {
-  const auto scene = build_flatland(document.scene);
-  const Flat space(*scene, Roulette::off);
-  const Family family = make_family(options.mutations, requires_of(document.scene));
-  const Starts<Flat> starts(space, session.seed);
-  require_light(starts);
-
+  const Dials& dials = options.given->dials;
+  require_precision(dials.precision, document.scene);
+  const Family family = make_family(dials.family(), requires_of(document.scene));
   const std::size_t mutations = selectable(family).size(), mixtures = mutations > 1 ? 1 : 0;
   const std::size_t kernels = mutations + mixtures, methods = checked_methods().size();
   const double false_alarm = false_alarm_of_all / static_cast<double>(3 * kernels + methods);
@@ -93,26 +79,31 @@ CheckReport check(const SceneDocument& document, const CheckOptions& options,
                      .false_alarm = false_alarm_of_all};
   const Run run(session);
   Parts parts(session, run, kernels + methods + 1);
-  check_kernels(space, family, starts,
-                {.samples = options.samples,
-                 .steps = steps,
-                 .seed = session.seed,
-                 .false_alarm = false_alarm},
-                run, [&](KernelCheck result) {
-                  parts.done(options.samples);
-                  report.mutations.push_back(std::move(result));
-                });
+  const auto check_mutations = dials.precision == Precision::of_float
+                                   ? &check_family<FlatlandSingle>
+                                   : &check_family<Flatland>;
+  check_mutations(document.scene, family,
+                  {.samples = options.samples,
+                   .steps = steps,
+                   .seed = session.seed,
+                   .false_alarm = false_alarm},
+                  run, [&](KernelCheck result) {
+                    parts.done(options.samples);
+                    report.mutations.push_back(std::move(result));
+                  });
   Session rendering = session;
   rendering.budget = SampleBudget{report.method_samples};
   rendering.report = nullptr;
-  report.methods = check_methods(document.scene, options.mutations, rendering, false_alarm,
+  report.methods = check_methods(document.scene, dials, rendering, false_alarm,
                                  [&] { parts.done(report.method_samples); });
   return report;
 }
 
 ExitCode check_scene(const CheckOptions& options, const Global& global) {
   if (!global.out.empty()) throw UsageError("check writes no files; --json prints one document");
-  const SceneDocument document = open_scene(options.scene);
+  SceneDocument document = open_scene(options.scene);
+  const Dials& dials = options.given->dials;
+  if (dials.max_vertices) document.scene.max_vertices = *dials.max_vertices;
   for (const std::string& warning : scene_warnings(document, options.scene))
     spdlog::warn("{}", warning);
   CheckReport report;
@@ -141,11 +132,7 @@ void add_check(CLI::App& app, Global& global) {
   verb->add_option("SCENE", options->scene, "scene file, or gallery:NAME")
       ->type_name("")
       ->required();
-  verb->add_option_function<std::string>(
-          "--mutations",
-          [options](const std::string& text) { options->mutations = parse_mutations(text); },
-          mutations_help())
-      ->type_name("SPEC");
+  add_dial_options(*verb, chain_dials, options->given);
   verb->add_option_function<std::string>(
           "--samples",
           [options](const std::string& text) { options->samples = parse_samples(text); },

@@ -40,7 +40,6 @@ std::string_view for_mlt(std::string_view method) {
 std::string_view for_primary_methods(std::string_view method) {
   return method == "pssmlt" || method == "mmlt" ? "" : "is for pssmlt and mmlt";
 }
-
 std::string_view for_chains(std::string_view method) {
   return method == "mlt" || method == "pssmlt" || method == "mmlt"
              ? ""
@@ -79,6 +78,20 @@ const std::vector<Dial>& table() {
        [](Dials& dials, std::string_view text) {
          dials.chains.normalization = parse_normalization(text);
        }},
+      {"precision", "TYPE",
+       "of scattering, densities and sampling: double (the default) or float; geometry is double",
+       for_all,
+       [](Dials& dials, std::string_view text) { dials.precision = parse_precision(text); }},
+      {"large_step", "P",
+       fmt::format("of the steps in primary sample space, the share that forgets the present "
+                   "path: between 0 and 1 (default: {})",
+                   default_large_step),
+       for_chains,
+       [](Dials& dials, std::string_view text) { dials.large_step = parse_large_step(text); }},
+      {"kernel", "FACTOR",
+       "how many times as far small moves go (default: 1): those of primary sample space and of "
+       "the lens, caustic and multi-chain perturbations",
+       for_chains, [](Dials& dials, std::string_view text) { dials.kernel = parse_kernel(text); }},
   };
   return known;
 }
@@ -105,6 +118,12 @@ const Dial& find_dial(std::string_view word) {
 void require_dial(const Dial& dial, std::string_view method) {
   if (const std::string_view why = dial.missing(method); !why.empty())
     throw UsageError(fmt::format("{} {}; {} does not have it", dial.option(), why, method));
+}
+
+void require_precision(Precision precision, const description::Scene& scene) {
+  if (const std::string why = why_beyond(precision, scene); !why.empty())
+    throw UsageError(fmt::format("--precision {} cannot hold this scene: {}; use double",
+                                 name_of(precision), why));
 }
 
 }  // namespace wander

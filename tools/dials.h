@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/precision.h"
 #include "mlt/chain_settings.h"
 #include "mutations/catalogue.h"
 
@@ -21,6 +22,11 @@ struct Dials {
   StepEstimator estimator = StepEstimator::usual;  // of pssmlt and mmlt
   std::optional<int> max_vertices{};               // of the paths; none: what the scene says
   ChainSettings chains{};                          // of the Markov chain methods
+  Precision precision = Precision::of_double;      // of scattering, densities and sampling
+  double large_step = default_large_step;          // of the primary steps, the share that is large
+  double kernel = 1;                               // a factor on how far small moves go
+
+  FamilySettings family() const { return {mutations, large_step, kernel}; }
 };
 
 // A dial as the command line knows it.
@@ -40,5 +46,7 @@ std::span<const Dial> dials();
 const Dial& find_dial(std::string_view word);
 // Throws UsageError if the method does not have the dial.
 void require_dial(const Dial& dial, std::string_view method);
+// Throws UsageError if the scene does not fit into the precision.
+void require_precision(Precision precision, const description::Scene& scene);
 
 }  // namespace wander

@@ -48,9 +48,9 @@ MethodCheck compare_films(std::string method, const FilmEstimate& film,
           .decision = decision};
 }
 
-std::vector<MethodCheck> check_methods(const description::Scene& scene,
-                                       const MutationWeights& weights, const Session& session,
-                                       double false_alarm, const std::function<void()>& done) {
+std::vector<MethodCheck> check_methods(const description::Scene& scene, const Dials& dials,
+                                       const Session& session, double false_alarm,
+                                       const std::function<void()>& done) {
   const Rendering reference = render(scene, reference_method, {}, with_own_numbers(session, 0));
   done();
   std::vector<MethodCheck> checks;
@@ -62,8 +62,7 @@ std::vector<MethodCheck> check_methods(const description::Scene& scene,
     } else {
       try {
         const Rendering rendering =
-            render(scene, method, {.mutations = method == "mlt" ? weights : MutationWeights{}},
-                   with_own_numbers(session, checks.size() + 1));
+            render(scene, method, dials, with_own_numbers(session, checks.size() + 1));
         checks.push_back(compare_films(name, rendering.film, reference.film, false_alarm));
       } catch (const NoLightFound& dark) {
         checks.push_back(untested(name, dark.what()));

@@ -11,7 +11,7 @@
 #include "core/rendering.h"
 #include "core/session.h"
 #include "mlt/kernel_check.h"
-#include "mutations/catalogue.h"
+#include "tools/dials.h"
 
 namespace wander {
 
@@ -31,10 +31,10 @@ std::vector<std::string_view> checked_methods();
 MethodCheck compare_films(std::string method, const FilmEstimate& film,
                           const FilmEstimate& reference, double false_alarm);
 
-// Renders the scene with each method and `session`'s budget.  Calls done() after each of the
-// renderings.
-std::vector<MethodCheck> check_methods(const description::Scene& scene,
-                                       const MutationWeights& weights, const Session& session,
-                                       double false_alarm, const std::function<void()>& done);
+// Renders the scene with each method, its dials and `session`'s budget.  Calls done() after each of
+// the renderings.  The reference is made in double precision.
+std::vector<MethodCheck> check_methods(const description::Scene& scene, const Dials& dials,
+                                       const Session& session, double false_alarm,
+                                       const std::function<void()>& done);
 
 }  // namespace wander

@@ -14,8 +14,8 @@ namespace wander {
 // pt, lt, bdpt, mlt, pssmlt, mmlt, pt-naive, lt-naive.
 std::span<const std::string_view> method_names();
 
-// `method` is one of method_names(); dials that it does not have are of no effect.
-// Throws std::runtime_error.
+// `method` is one of method_names(); dials that it does not have are of no effect.  Throws
+// UsageError if the scene does not fit into the precision, and std::runtime_error.
 Rendering render(const description::Scene& scene, std::string_view method, const Dials& dials,
                  const Session& session);
 

@@ -143,6 +143,28 @@ double parse_positive(std::string_view what, std::string_view text, double most)
   return *number;
 }
 
+Precision parse_precision(std::string_view text) {
+  constexpr std::array<std::string_view, 2> words{name_of(Precision::of_float),
+                                                  name_of(Precision::of_double)};
+  if (text == words[0]) return Precision::of_float;
+  if (text == words[1]) return Precision::of_double;
+  throw UsageError(unknown_word("precision", text, words));
+}
+
+double parse_large_step(std::string_view text) {
+  const auto share = number_in<double>(text);
+  if (share && *share > 0 && *share < 1) return *share;
+  throw UsageError(
+      fmt::format("--large-step '{}': allowed are numbers above 0 and below 1, such as 0.3", text));
+}
+
+double parse_kernel(std::string_view text) {
+  const auto factor = number_in<double>(text);
+  if (factor && *factor >= 0.001 && *factor <= 100) return *factor;
+  throw UsageError(
+      fmt::format("--kernel '{}': allowed are factors from 0.001 to 100, such as 0.5", text));
+}
+
 std::string mutations_help() {
   return fmt::format(
       "auto (the default: all that the scene can use), or relative weights of these: {}=1",

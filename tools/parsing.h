@@ -31,6 +31,12 @@ NormalizationMethod parse_normalization(std::string_view text);
 
 // A number above zero, and no larger than `most`.
 double parse_positive(std::string_view what, std::string_view text, double most);
+// `float` or `double`.
+Precision parse_precision(std::string_view text);
+// A share of steps, above 0 and below 1.
+double parse_large_step(std::string_view text);
+// A factor on how far small moves go, from 0.001 to 100.
+double parse_kernel(std::string_view text);
 
 const MethodName& parse_method(std::string_view text);
 

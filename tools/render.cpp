@@ -11,6 +11,7 @@
 #include "core/output/run_json.h"
 #include "core/output/version.h"
 #include "tools/console.h"
+#include "tools/dial_options.h"
 #include "tools/failure.h"
 #include "tools/interruption.h"
 #include "tools/methods.h"
@@ -29,14 +30,13 @@ struct RenderOptions {
   std::string scene;
   const MethodName* method = nullptr;
   Budget budget = TimeBudget{5};
-  Dials dials;
-  std::vector<const Dial*> turned;  // dials that were given
+  std::shared_ptr<DialOptions> given = std::make_shared<DialOptions>();
 };
 
 void require_sensible(const RenderOptions& options, const Global& global) {
   if (global.out.empty() && !global.json)
     throw UsageError("render needs -o DIR (where the film goes), or --json, or both");
-  for (const Dial* dial : options.turned) require_dial(*dial, options.method->name);
+  options.given->require_for(options.method->name);
 }
 
 void require_possible(const RenderOptions& options, const description::Scene& scene) {
@@ -50,7 +50,8 @@ void require_possible(const RenderOptions& options, const description::Scene& sc
 
 SceneDocument scene_for(const RenderOptions& options) {
   SceneDocument document = open_scene(options.scene);
-  if (options.dials.max_vertices) document.scene.max_vertices = *options.dials.max_vertices;
+  const Dials& dials = options.given->dials;
+  if (dials.max_vertices) document.scene.max_vertices = *dials.max_vertices;
   spdlog::debug("scene {}: {} shapes, {} materials, at most {} vertices, sha256 {}", options.scene,
                 document.scene.shapes.size(), document.scene.materials.size(),
                 document.scene.max_vertices, document.sha256);
@@ -65,7 +66,7 @@ Rendering rendering_of(const SceneDocument& document, const RenderOptions& optio
                         .threads = global.threads,
                         .interrupted = &watch_for_interruption(),
                         .report = progress.reporter()};
-  Rendering rendering = render(document.scene, options.method->name, options.dials, session);
+  Rendering rendering = render(document.scene, options.method->name, options.given->dials, session);
   std::vector<std::string> warnings = scene_warnings(document, options.scene);
   rendering.warnings.insert(rendering.warnings.begin(), warnings.begin(), warnings.end());
   return rendering;
@@ -139,15 +140,7 @@ void add_render(CLI::App& app, Global& global) {
           [options](const std::string& text) { options->budget = parse_budget(text); },
           "how much to compute (default: 5s)")
       ->type_name("BUDGET");
-  for (const Dial& dial : dials())
-    verb->add_option_function<std::string>(
-            dial.option(),
-            [options, &dial](const std::string& text) {
-              dial.set(options->dials, text);
-              options->turned.push_back(&dial);
-            },
-            dial.help)
-        ->type_name(std::string(dial.value));
+  add_dial_options(*verb, options->given);
   add_global_options(*verb, global);
   verb->footer("\n" + methods_help() + details);
   verb->callback([options, &global] {

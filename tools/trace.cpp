@@ -14,6 +14,7 @@
 #include "core/output/trajectory_netcdf.h"
 #include "core/output/version.h"
 #include "tools/console.h"
+#include "tools/dial_options.h"
 #include "tools/failure.h"
 #include "tools/inspection.h"
 #include "tools/interruption.h"
@@ -38,8 +39,7 @@ constexpr std::uint64_t most_draws = 100'000'000;  // of all chains, some hundre
 struct TraceOptions {
   std::string scene;
   std::string method = "mlt";
-  MutationWeights mutations;
-  std::optional<int> max_vertices;
+  std::shared_ptr<DialOptions> given = std::make_shared<DialOptions>();
   int chains = 4;
   std::optional<std::uint64_t> steps;
   std::uint64_t every = 1;
@@ -58,10 +58,8 @@ void require_traceable(const TraceOptions& options) {
     throw UsageError(fmt::format(
         "trace records Markov chains whose state is one path; {} has none: allowed are {}", method,
         fmt::join(known, " and ")));
+  options.given->require_for(method);
   if (method == "mlt") return;
-  if (!options.mutations.empty())
-    throw UsageError(fmt::format(
-        "--mutations is for mlt, whose mutations can be chosen; {} has none to choose", method));
   if (options.replay)
     throw UsageError(fmt::format(
         "--replay takes apart steps of mlt, which are proposed in path space; those of {} are "
@@ -123,7 +121,8 @@ ExitCode record_chains(const SceneDocument& document, const TraceOptions& option
                        const Session& session, const Global& global) {
   require_sensible_output(global);
   const TraceRequest request{options.chains, window_of(options)};
-  Trace trace = wander::trace(document.scene, options.method, options.mutations, session, request);
+  Trace trace =
+      wander::trace(document.scene, options.method, options.given->dials, session, request);
   const double seconds = trace.seconds, seed_seconds = trace.seed_seconds;
   const int threads = trace.threads;
   const TrajectoryRecord record = record_of(document, options, global, std::move(trace));
@@ -152,7 +151,7 @@ ExitCode replay_step(const SceneDocument& document, const TraceOptions& options,
                      const Session& session, const Global& global) {
   if (!global.out.empty())
     throw UsageError("--replay prints one step and writes no file; leave out -o");
-  const Replay step = replay(document.scene, options.mutations, session, options.replay->chain,
+  const Replay step = replay(document.scene, options.given->dials, session, options.replay->chain,
                              options.replay->step);
   if (global.json)
     print_json(json_of_replay(step));
@@ -164,7 +163,8 @@ ExitCode replay_step(const SceneDocument& document, const TraceOptions& options,
 ExitCode trace_scene(const TraceOptions& options, const Global& global) {
   require_traceable(options);
   SceneDocument document = open_scene(options.scene);
-  if (options.max_vertices) document.scene.max_vertices = *options.max_vertices;
+  const Dials& dials = options.given->dials;
+  if (dials.max_vertices) document.scene.max_vertices = *dials.max_vertices;
   for (const std::string& warning : scene_warnings(document, options.scene))
     spdlog::warn("{}", warning);
   Progress progress(global);
@@ -193,7 +193,7 @@ One draw is one step of a chain: what was proposed, every term of its acceptance
 probability, and the state after the decision.  A file with the ending .csv has one row
 per draw; any other is netCDF-4 and opens with arviz.from_netcdf.
 
-The chains are those that `render` runs by the same method with the same scene, mutations
+The chains are those that `render` runs by the same method with the same scene, dials
 and seed, and a budget of 256 to 131072 mutations.  A chain of mmlt keeps to paths of one
 length: the lengths share the chains in proportion to their light.  Ctrl-C saves the draws
 that all chains have.
@@ -214,10 +214,7 @@ void add_trace_options(CLI::App& verb, const std::shared_ptr<TraceOptions>& opti
       ->required();
   option("-m,--method", "METHOD", "mlt (the default) or mmlt",
          [options](const std::string& text) { options->method = parse_method(text).name; });
-  option("--mutations", "SPEC", mutations_help(),
-         [options](const std::string& text) { options->mutations = parse_mutations(text); });
-  option("--max-vertices", "N", "longest paths, both ends counted (default: what the scene says)",
-         [options](const std::string& text) { options->max_vertices = parse_max_vertices(text); });
+  add_dial_options(verb, chain_dials, options->given);
   option("--chains", "N", "how many chains (default: 4)", [options](const std::string& text) {
     options->chains = static_cast<int>(parse_count("--chains", text, 1, most_traced_chains));
   });

@@ -2,10 +2,7 @@
 
 #include <array>
 
-#include "core/build_scene.h"
-#include "mlt/multiplexed_chains.h"
-#include "mlt/primary_estimator.h"
-#include "mutations/kelemen.h"
+#include "tools/world_tracers.h"
 
 namespace wander {
 
@@ -13,32 +10,24 @@ namespace {
 
 constexpr std::array<std::string_view, 2> names{"mlt", "mmlt"};
 
-using Flat = Transport<Flatland>;
-
 }  // namespace
 
 std::span<const std::string_view> traced_methods() { return names; }
 
-Trace trace(const description::Scene& description, std::string_view method,
-            const MutationWeights& weights, const Session& session, const TraceRequest& request) {
-  const auto scene = build_flatland(description);
-  const Flat space(*scene, Roulette::off);
-  if (method == "mmlt") {
-    const PrimaryKernel<Kelemen> kernel{Kelemen{}, default_large_step};
-    using Chains = MultiplexedChains<Flat, Kelemen>;
-    return Tracer<Flat, Chains>(space, kernel, session, request, ChainSettings{}).run();
-  }
-  return Tracer(space, make_family(weights, requires_of(description)), session, request,
-                ChainSettings{})
-      .run();
+Trace trace(const description::Scene& scene, std::string_view method, const Dials& dials,
+            const Session& session, const TraceRequest& request) {
+  require_precision(dials.precision, scene);
+  return dials.precision == Precision::of_float
+             ? WorldTracers<FlatlandSingle>(scene, dials, session).trace(method, request)
+             : WorldTracers<Flatland>(scene, dials, session).trace(method, request);
 }
 
-Replay replay(const description::Scene& description, const MutationWeights& weights,
-              const Session& session, int chain, std::uint64_t step) {
-  const auto scene = build_flatland(description);
-  const Flat space(*scene, Roulette::off);
-  return replay(space, make_family(weights, requires_of(description)), session, chain, step,
-                ChainSettings{});
+Replay replay(const description::Scene& scene, const Dials& dials, const Session& session,
+              int chain, std::uint64_t step) {
+  require_precision(dials.precision, scene);
+  return dials.precision == Precision::of_float
+             ? WorldTracers<FlatlandSingle>(scene, dials, session).replay(chain, step)
+             : WorldTracers<Flatland>(scene, dials, session).replay(chain, step);
 }
 
 }  // namespace wander

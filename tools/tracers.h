@@ -8,7 +8,7 @@
 #include "core/session.h"
 #include "mlt/replay.h"
 #include "mlt/trace.h"
-#include "mutations/catalogue.h"
+#include "tools/dials.h"
 
 namespace wander {
 
@@ -18,11 +18,12 @@ inline constexpr int most_traced_chains = ChainSettings{}.groups * ChainSettings
 std::span<const std::string_view> traced_methods();
 
 // `method` is one of traced_methods(); the budget of the session is that of the request.  Throws
-// NoLightFound, NothingComputed.
-Trace trace(const description::Scene& scene, std::string_view method,
-            const MutationWeights& weights, const Session& session, const TraceRequest& request);
+// NoLightFound, NothingComputed, and
+// UsageError if the scene does not fit into the precision.
+Trace trace(const description::Scene& scene, std::string_view method, const Dials& dials,
+            const Session& session, const TraceRequest& request);
 // A step of a chain of mlt.
-Replay replay(const description::Scene& scene, const MutationWeights& weights,
-              const Session& session, int chain, std::uint64_t step);
+Replay replay(const description::Scene& scene, const Dials& dials, const Session& session,
+              int chain, std::uint64_t step);
 
 }  // namespace wander

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/build_scene.h"
 #include "core/estimate.h"
 #include "mlt/deposit.h"
 #include "mutations/catalogue.h"
@@ -13,9 +14,6 @@
 
 namespace wander::test {
 namespace {
-
-using W = Flatland;
-using Flat = Transport<W>;
 
 // What a chain did: a hash of its decisions, and what it deposited.
 struct Trace {
@@ -27,12 +25,13 @@ struct Trace {
   void note(std::uint64_t what) { decisions = (decisions ^ what) * 0x100000001b3; }  // FNV-1a
 };
 
+template <World W = Flatland>
 Trace trace(const description::Scene& description) {
-  const FlatScene scene = build(description);
-  const Flat space(*scene, Roulette::off);
+  const auto scene = build_flatland<W>(description);
+  const Transport<W> space(*scene, Roulette::off);
   const Family family = make_family({}, space.max_vertices());
   Trace trace;
-  Starts<Flat> starts(space, 1);
+  Starts<Transport<W>> starts(space, 1);
   for (std::uint64_t i = 0; !(trace.weight > 0); ++i) trace.weight = starts.draw(i);
   Chain chain(space, family, starts.path());
   GroupFilm film(scene->bins(), scene->max_vertices());
@@ -99,6 +98,17 @@ TEST_P(PowerOfTwo, OfBrightnessChangesNoDecisionOfAChain) {
     const double factor = std::ldexp(1.0, n);
     expect_same(original, trace(brightened(scene_, factor)), factor);
   }
+}
+// Within the range of its exponents a float has no other mantissas, either.
+TEST_P(PowerOfTwo, ChangesNoDecisionOfAChainInSinglePrecision) {
+  const Trace original = trace<FlatlandSingle>(scene_);
+  for (const int n : {-40, -3, 1, 40}) {
+    SCOPED_TRACE(n);
+    const double factor = std::ldexp(1.0, n);
+    expect_same(original, trace<FlatlandSingle>(scaled(scene_, factor)), 1);
+    expect_same(original, trace<FlatlandSingle>(brightened(scene_, factor)), factor);
+  }
+  EXPECT_NE(original.weight, trace(scene_).weight);  // control: it is another precision
 }
 TEST_P(PowerOfTwo, ChangesNoBitOfABidirectionalFilm) {
   const FilmEstimate original = bdpt(scene_);

@@ -46,6 +46,15 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"SegmentWithoutLength",
                   with_shape(R"({ "type": "segment", "from": [1, 0], "to": ^[1.0, -0.0] })"),
                   {{"/shapes/2/to", "a segment has a length > 0"}}},
+        Malformed{"SegmentTooShort",
+                  with_shape(R"({ "type": "segment", "from": [0, 1e-310], "to": ^[1e-310, 0] })"),
+                  {{"/shapes/2/to", "shorter than 1e-150"}}},
+        Malformed{"SideTooShort",
+                  with_shape(R"({ "type": "polyline", "points": [[0, 0], ^[0, 1e-160], [1, 0]] })"),
+                  {{"/shapes/2/points/1", "shorter than 1e-150"}}},
+        Malformed{"RadiusTooShort",
+                  with_shape(R"({ "type": "circle", "center": [0, 0], "radius": ^1e-310 })"),
+                  {{"/shapes/2/radius", "shorter than 1e-150"}}},
         Malformed{
             "RepeatedPoint",
             with_shape(R"({ "type": "polyline", "points": [[0, 0], [1, 0], ^[1, 0], [2, 0]] })"),
@@ -147,6 +156,10 @@ INSTANTIATE_TEST_SUITE_P(
                       a_light + R"(, {"type": "segment", "from": [0,0], "to": [1,0],
             "material": "frost", "sensor": ^{"bins": 3}} ]})",
                   {{"/shapes/1/sensor", "a sensor cannot lie on the rough_dielectric"}}},
+        Malformed{"CameraTooNear",
+                  shapes_only("[" + a_light + R"(], "camera": {
+            "type": "perspective", "position": [0,2e-200], "target": ^[0,1e-200], "fov_deg": 40, "resolution": 8})"),
+                  {{"/camera/target", "nearer to position than 1e-150"}}},
         Malformed{"CameraWithoutDirection",
                   shapes_only("[" + a_light + R"(], "camera": {
             "type": "perspective", "position": [1,2], "target": ^[1,2], "fov_deg": 40, "resolution": 8})"),

@@ -47,8 +47,8 @@ TEST_P(Agreement, ChainsOfAnyMutationsEstimateTheFilmOfIndependentSamples) {
   const int longest = scene_->max_vertices();
   for (const MutationWeights& weights : {MutationWeights{}, MutationWeights{{"bidirectional", 1}},
                                          MutationWeights{{"primary", 1}}}) {
-    const Decision agree =
-        films_agree(by_chains(*scene_, make_family(weights, longest)), expected, usual_false_alarm);
+    const Decision agree = films_agree(by_chains(*scene_, make_family({weights}, longest)),
+                                       expected, usual_false_alarm);
     EXPECT_TRUE(passes(agree));
     EXPECT_GE(agree.comparisons, std::size_t{4});
   }

@@ -29,7 +29,7 @@ Session session_of(std::uint64_t samples) {
 
 FilmEstimate by_chains(const Scene<Flatland>& scene, const MutationWeights& weights) {
   const Transport<Flatland> space(scene, Roulette::off);
-  const Family family = make_family(weights, scene.max_vertices());
+  const Family family = make_family({weights}, scene.max_vertices());
   const Session session = session_of(200'000);
   return ChainRenderer(space, family, session, ChainSettings{}).render("mlt").film;
 }

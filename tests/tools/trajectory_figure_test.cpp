@@ -76,9 +76,8 @@ TEST(TrajectoryFigure, IsWellFormedAndTheSameEveryTime) {
 TEST(TrajectoryFigure, NamesNothingTwice) {
   for (const std::string& svg : pages(recorded(3, 40))) {
     const std::regex id(R"re( id="([^"]+)")re");
-        for (std::sregex_iterator it(svg.begin(), svg.end(), id), end; it != end; ++it)
-            EXPECT_EQ(count(svg, it->str()), 1u)
-        << it->str();
+    for (std::sregex_iterator it(svg.begin(), svg.end(), id), end; it != end; ++it)
+      EXPECT_EQ(count(svg, it->str()), 1u) << it->str();
   }
 }
 

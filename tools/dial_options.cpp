@@ -1,0 +1,32 @@
+#include "tools/dial_options.h"
+
+#include <CLI/CLI.hpp>
+
+namespace wander {
+
+void DialOptions::require_for(std::string_view method) const {
+  for (const Dial* dial : turned) require_dial(*dial, method);
+}
+
+void add_dial_options(CLI::App& verb, std::span<const std::string_view> words,
+                      const std::shared_ptr<DialOptions>& options) {
+  for (const std::string_view word : words) {
+    const Dial& dial = find_dial(word);
+    verb.add_option_function<std::string>(
+            dial.option(),
+            [options, &dial](const std::string& text) {
+              dial.set(options->dials, text);
+              options->turned.push_back(&dial);
+            },
+            dial.help)
+        ->type_name(std::string(dial.value));
+  }
+}
+
+void add_dial_options(CLI::App& verb, const std::shared_ptr<DialOptions>& options) {
+  std::vector<std::string_view> words;
+  for (const Dial& dial : dials()) words.push_back(dial.word);
+  add_dial_options(verb, words, options);
+}
+
+}  // namespace wander

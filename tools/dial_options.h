@@ -1,0 +1,35 @@
+// Dials as options of a verb.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "tools/dials.h"
+
+namespace CLI {
+class App;
+}
+
+namespace wander {
+
+struct DialOptions {
+  Dials dials;
+  std::vector<const Dial*> turned{};  // those that were given
+
+  // Throws UsageError if the method does not have a dial that was given.
+  void require_for(std::string_view method) const;
+};
+
+// The dials of these words.
+void add_dial_options(CLI::App& verb, std::span<const std::string_view> words,
+                      const std::shared_ptr<DialOptions>& options);
+// All of them.
+void add_dial_options(CLI::App& verb, const std::shared_ptr<DialOptions>& options);
+
+// Those of the chains themselves, whatever becomes of their steps.
+inline constexpr std::string_view chain_dials[] = {"mutations", "max_vertices", "precision",
+                                                   "large_step", "kernel"};
+
+}  // namespace wander
