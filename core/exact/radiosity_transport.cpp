@@ -1,12 +1,12 @@
-#include "tests/support/radiosity_transport.h"
+#include "core/exact/radiosity_transport.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "tests/support/quadrature.h"
+#include "core/exact/gauss.h"
 
-namespace wander::test {
+namespace wander::exact {
 
 namespace {
 
@@ -132,4 +132,4 @@ TransportRow Transport::row(const Receiver& receiver) const {
   return result;
 }
 
-}  // namespace wander::test
+}  // namespace wander::exact

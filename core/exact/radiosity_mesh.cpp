@@ -1,11 +1,11 @@
-#include "tests/support/radiosity_mesh.h"
+#include "core/exact/radiosity_mesh.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <optional>
 
-namespace wander::test {
+namespace wander::exact {
 
 namespace {
 
@@ -182,4 +182,4 @@ RadiosityElements make_elements(const RadiosityScene& scene, const Mesher& meshe
   return elements;
 }
 
-}  // namespace wander::test
+}  // namespace wander::exact

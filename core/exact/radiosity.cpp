@@ -1,4 +1,4 @@
-#include "tests/support/radiosity.h"
+#include "core/exact/radiosity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "tests/support/quadrature.h"
-#include "tests/support/radiosity_transport.h"
+#include "core/exact/gauss.h"
+#include "core/exact/radiosity_transport.h"
 
-namespace wander::test {
+namespace wander::exact {
 
 namespace {
 
@@ -236,4 +236,4 @@ RadiositySolution solve_radiosity(const RadiosityScene& scene, const RadiosityMe
   return solution;
 }
 
-}  // namespace wander::test
+}  // namespace wander::exact

@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "tests/support/crossed_strings.h"
-#include "tests/support/radiosity.h"
+#include "core/exact/radiosity.h"
+#include "core/exact/visibility.h"
 
-namespace wander::test {
+namespace wander::exact {
 
 // A stretch of a wall, by positions in [0, 1].
 struct Stretch {
@@ -66,4 +66,4 @@ struct RadiosityElements {
 RadiosityElements make_elements(const RadiosityScene& scene, const Mesher& mesher,
                                 const RadiosityMesh& mesh);
 
-}  // namespace wander::test
+}  // namespace wander::exact

@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "tests/support/crossed_strings.h"
-#include "tests/support/radiosity_mesh.h"
+#include "core/exact/radiosity_mesh.h"
+#include "core/exact/visibility.h"
 
-namespace wander::test {
+namespace wander::exact {
 
 // One receiver's row: what it gathers of each unknown.
 class TransportRow {
@@ -42,4 +42,4 @@ class Transport {
   const RadiosityElements& elements_;
 };
 
-}  // namespace wander::test
+}  // namespace wander::exact

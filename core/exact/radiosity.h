@@ -19,13 +19,13 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/plane.h"
+#include "core/exact/plane.h"
 
 namespace wander::description {
 struct Scene;
 }
 
-namespace wander::test {
+namespace wander::exact {
 
 struct Wall {
   PlanePoint from, to;
@@ -75,4 +75,4 @@ RadiositySolution solve_radiosity_once(const RadiosityScene& scene, const Radios
 // std::invalid_argument naming what else it finds.
 RadiosityScene radiosity_scene(const description::Scene& scene);
 
-}  // namespace wander::test
+}  // namespace wander::exact
