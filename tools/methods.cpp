@@ -9,6 +9,7 @@
 #include "mlt/pssmlt_group.h"
 #include "mlt/render.h"
 #include "mutations/kelemen.h"
+#include "tools/failure.h"
 
 namespace wander {
 
@@ -25,13 +26,11 @@ void warn_if_dark(Rendering& rendering) {
       "sensor that faces away, or a max_vertices that is too small");
 }
 
-// Light tracing reaches a camera by connections alone.
-void warn_if_blind(Rendering& rendering, const Scene<Flatland>& scene) {
-  if (rendering.method != "lt" || !scene.camera() || !scene.has_specular()) return;
+void warn_if_blind(Rendering& rendering, const description::Scene& scene) {
+  if (sees_all_light(rendering.method, scene)) return;
   rendering.warnings.push_back(
       "light tracing cannot find paths that reach the camera from a mirror or from smooth glass, "
-      "so "
-      "their light is missing from this film; use pt, bdpt or mlt");
+      "so their light is missing from this film; use pt, bdpt or mlt");
 }
 
 using Flat = Transport<Flatland>;
@@ -51,6 +50,18 @@ Rendering render_primary(const Flat& space, const Session& session, const char* 
 
 std::span<const std::string_view> method_names() { return names; }
 
+void require_possible(std::string_view method, const description::Scene& scene) {
+  if (method == "lt-naive" && scene.camera)
+    throw UsageError(
+        "lt-naive cannot see through a camera: its light paths must hit the sensor by chance, and "
+        "no path hits a pinhole, nor a lens, which is no surface of the scene; use lt, or a sensor "
+        "shape");
+}
+
+bool sees_all_light(std::string_view method, const description::Scene& scene) {
+  return method != "lt" || !scene.camera || !requires_of(scene).specular;
+}
+
 Rendering render(const description::Scene& described, std::string_view method, const Dials& dials,
                  const Session& session) {
   description::Scene description = described;
@@ -60,7 +71,7 @@ Rendering render(const description::Scene& described, std::string_view method, c
     if (method != estimator.name) continue;
     Rendering rendering = estimate(*scene, estimator, session);
     warn_if_dark(rendering);
-    warn_if_blind(rendering, *scene);
+    warn_if_blind(rendering, description);
     return rendering;
   }
   const Flat transport(*scene, Roulette::off);

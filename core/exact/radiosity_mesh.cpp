@@ -175,7 +175,7 @@ RadiosityElements make_elements(const RadiosityScene& scene, const Mesher& meshe
       const std::vector<Stretch> stretches = mesher.stretches(w, {});
       for (const Stretch stretch : stretches) append(front, stretch, mesh.nodes);
       for (const Stretch stretch : stretches) append(back, stretch, mesh.nodes);
-    } else if (wall.radiance > 0) {
+    } else if (wall.radiance > 0 || wall.bins > 0) {  // of a sensor: as if it shone
       append(front, {}, 1);
     }
   }

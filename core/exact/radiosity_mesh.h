@@ -17,7 +17,7 @@ struct Stretch {
 };
 
 // Part of one side of a wall; `nodes` unknowns from index `first`, at Gauss points.  One node means
-// a constant, exact for black emitters.
+// a constant, exact for black emitters and sensors.
 struct Element {
   Stretch stretch;
   std::size_t first = 0, nodes = 1;

@@ -11,6 +11,9 @@
 
 namespace wander::exact {
 
+// entries[a] += weight · ℓ_a(t), for the Lagrange polynomials ℓ of the Gauss points in [0, 1].
+void add_lagrange(double* entries, std::size_t nodes, double t, double weight);
+
 // One receiver's row: what it gathers of each unknown.
 class TransportRow {
  public:
