@@ -45,9 +45,17 @@ struct View {
 void of_missing_runs(std::vector<std::string>& cautions, const View& view) {
   const Runs& runs = view.comparison.runs;
   const std::size_t planned = runs.contenders.size() * runs.budgets.size() * runs.replicates;
-  if (!runs.complete || runs.runs.size() < planned)
-    cautions.push_back(fmt::format("The comparison is not complete: {} of {} runs were made.",
-                                   runs.runs.size(), planned));
+  const std::size_t made = runs.runs.size() + runs.failures.size();
+  if (!runs.complete || made < planned)
+    cautions.push_back(
+        fmt::format("The comparison is not complete: {} of {} runs were made.", made, planned));
+  for (std::size_t c = 0; c < view.contenders(); ++c) {
+    const auto failed = std::ranges::count(runs.failures, c, &FailedRun::contender);
+    if (failed > 0)
+      cautions.push_back(
+          fmt::format("{} of {} runs of {} failed: its errors are those of the rest.", failed,
+                      runs.budgets.size() * runs.replicates, runs.contenders[c].label));
+  }
   const auto broken = std::ranges::count_if(
       view.comparison.errors, [](const RunErrors& errors) { return std::isnan(errors.mean); });
   if (broken > 0)
