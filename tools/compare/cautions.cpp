@@ -42,6 +42,11 @@ struct View {
   }
 };
 
+// An interrupted comparison may have none.
+bool has_reference(const Runs& runs) {
+  return std::ranges::any_of(runs.reference.film.value, [](double x) { return std::isfinite(x); });
+}
+
 void of_missing_runs(std::vector<std::string>& cautions, const View& view) {
   const Runs& runs = view.comparison.runs;
   const std::size_t planned = runs.contenders.size() * runs.budgets.size() * runs.replicates;
@@ -56,6 +61,7 @@ void of_missing_runs(std::vector<std::string>& cautions, const View& view) {
           fmt::format("{} of {} runs of {} failed: its errors are those of the rest.", failed,
                       runs.budgets.size() * runs.replicates, runs.contenders[c].label));
   }
+  if (!has_reference(runs)) return;
   const auto broken = std::ranges::count_if(
       view.comparison.errors, [](const RunErrors& errors) { return std::isnan(errors.mean); });
   if (broken > 0)
@@ -66,6 +72,10 @@ void of_missing_runs(std::vector<std::string>& cautions, const View& view) {
 
 void of_the_reference(std::vector<std::string>& cautions, const View& view,
                       const Yardstick& yardstick) {
+  if (!has_reference(view.comparison.runs)) {
+    cautions.emplace_back("There is no reference to measure errors against.");
+    return;
+  }
   if (!(yardstick.mean_square > 0)) {
     cautions.emplace_back("The reference is dark: there are no relative errors.");
     return;
