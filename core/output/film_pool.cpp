@@ -10,6 +10,13 @@ namespace {
 
 double squared(double x) { return x * x; }
 
+// Squares of films lit by 1e200 W would overflow: they are formed in units of the largest value.
+double unit_of(const std::vector<double>& values) {
+  double unit = 0;
+  for (const double value : values) unit = std::max(unit, std::abs(value));
+  return unit > 0 ? unit : 1;
+}
+
 std::vector<double> weights_of(std::span<const Rendering> runs) {
   std::vector<double> weights;
   for (const Rendering& run : runs) weights.push_back(static_cast<double>(run.samples));
@@ -18,21 +25,21 @@ std::vector<double> weights_of(std::span<const Rendering> runs) {
   return weights;
 }
 
-// Variances of the mean, per bin.
+// Variances of the mean, per bin, in squared units.
 struct Spread {
   std::vector<double> claimed, observed;
 };
 
 Spread spread_of(std::span<const Rendering> runs, const std::vector<double>& weights,
-                 const std::vector<double>& mean) {
+                 const std::vector<double>& mean, double unit) {
   Spread spread{std::vector<double>(mean.size()), std::vector<double>(mean.size())};
   for (std::size_t i = 0; i < runs.size(); ++i)
     for (std::size_t b = 0; b < mean.size(); ++b) {
       const FilmEstimate& film = runs[i].film;
-      spread.claimed[b] += squared(weights[i] * film.standard_error[b]);
+      spread.claimed[b] += squared(weights[i] * film.standard_error[b] / unit);
       if (runs.size() > 1)
-        spread.observed[b] +=
-            weights[i] * squared(film.value[b] - mean[b]) / static_cast<double>(runs.size() - 1);
+        spread.observed[b] += weights[i] * squared((film.value[b] - mean[b]) / unit) /
+                              static_cast<double>(runs.size() - 1);
     }
   return spread;
 }
@@ -71,7 +78,9 @@ FilmEstimate pooled_film(std::span<const Rendering> runs) {
       pool.reliable[b] = pool.reliable[b] && film.reliable[b];
     }
   }
-  pool.standard_error = errors_of(spread_of(runs, weights, pool.value));
+  const double unit = unit_of(pool.value);
+  pool.standard_error = errors_of(spread_of(runs, weights, pool.value, unit));
+  for (double& error : pool.standard_error) error *= unit;
   return pool;
 }
 

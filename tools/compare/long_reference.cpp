@@ -8,6 +8,7 @@
 
 #include "core/output/film_pool.h"
 #include "core/output/film_statistics.h"
+#include "mlt/render.h"
 #include "tools/compare/reference.h"
 #include "tools/compare/schedule.h"
 #include "tools/failure.h"
@@ -30,11 +31,14 @@ double relative_spread(const Runs& runs, std::size_t contender) {
       films.push_back(&run.film);
   if (films.size() < 2) return unknown;
   const auto count = static_cast<double>(films.size());
+  double unit = 0;  // squares stay finite
+  for (const FilmEstimate* film : films)
+    unit = std::max(unit, *std::ranges::max_element(film->value));
   double variance = 0, size = 0;
   for (std::size_t b = 0; b < films.front()->value.size(); ++b) {
     double mean = 0, squares = 0;
-    for (const FilmEstimate* film : films) mean += film->value[b] / count;
-    for (const FilmEstimate* film : films) squares += std::pow(film->value[b] - mean, 2);
+    for (const FilmEstimate* film : films) mean += film->value[b] / unit / count;
+    for (const FilmEstimate* film : films) squares += std::pow(film->value[b] / unit - mean, 2);
     variance += squares / (count - 1);
     size += mean * mean;
   }
@@ -82,7 +86,7 @@ Reference none(const FilmEstimate& like) {
   film.value.assign(like.value.size(), unknown);
   film.standard_error.assign(like.value.size(), unknown);
   film.reliable.assign(like.value.size(), false);
-  return {std::move(film), "none: the comparison was interrupted before one was made"};
+  return {std::move(film), "none: no long run was made to its end"};
 }
 
 // Those of films like the measured ones; least error first.
@@ -98,12 +102,16 @@ std::vector<LongRuns> known_runs(const ReferenceCache& cache, Runs& runs) {
 
 // Two more; fewer if interrupted.  What an interrupted run found is a film, too.
 void extend(LongRuns& runs, const Plan& plan, const Entrant& entrant, std::uint64_t first,
-            Course& course) {
+            Course& course, std::vector<std::string>& warnings) {
   const Budget budget = budget_of(0.5 * long_effort(plan), plan.budgets.back().budget);
+  const std::string what = fmt::format("reference: {} {}", runs.made_by, text_of(budget));
   for (std::uint64_t i = 0; i < 2 && !course.is_interrupted(); ++i) {
-    Rendering run = course.render(entrant, budget, reference_seed(plan.seed, first + i),
-                                  fmt::format("reference: {} {}", runs.made_by, text_of(budget)));
-    if (run.samples > 0) runs.runs.push_back(std::move(run));
+    try {
+      Rendering run = course.render(entrant, budget, reference_seed(plan.seed, first + i), what);
+      if (run.samples > 0) runs.runs.push_back(std::move(run));
+    } catch (const NoLightFound& dark) {
+      warnings.push_back(fmt::format("{} failed: {}", what, dark.what()));
+    }
   }
 }
 
@@ -133,7 +141,8 @@ Reference long_reference(const description::Scene& scene, const Plan& plan,
   const bool is_enough = !known.empty() && relative_error(pooled_film(known.front().runs)) <=
                                                largest_excess * expected_error(plan) * best.spread;
   if (!known.empty() && (is_enough || !runs.complete)) return pooled(known.front());
-  if (!runs.complete) return none(runs.runs.front().film);
+  const auto without = [&] { return none(runs.runs.front().film); };
+  if (!runs.complete) return without();
   if (!best.entrant) give_up();
 
   std::uint64_t earlier = 0;
@@ -142,10 +151,10 @@ Reference long_reference(const description::Scene& scene, const Plan& plan,
     earlier += k.runs.size();
     if (k.made_by == best_runs.made_by) best_runs.runs = std::move(k.runs);
   }
-  extend(best_runs, plan, *best.entrant, earlier, course);
+  extend(best_runs, plan, *best.entrant, earlier, course, runs.warnings);
   runs.complete = !course.is_interrupted();
-  if (runs.complete) cache.store(best_runs, runs.warnings);
-  return best_runs.runs.empty() ? none(runs.runs.front().film) : pooled(best_runs);
+  if (runs.complete && !best_runs.runs.empty()) cache.store(best_runs, runs.warnings);
+  return best_runs.runs.empty() ? without() : pooled(best_runs);
 }
 
 }  // namespace wander::compare

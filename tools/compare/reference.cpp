@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -60,7 +61,8 @@ std::optional<Reference> exact_reference(const description::Scene& scene, std::s
   film.standard_error = std::move(exact.error);
   film.reliable.assign(film.value.size(), true);
   film.degrees_of_freedom = std::numeric_limits<double>::infinity();
-  const double error = relative_error(film);
+  const bool is_dark = std::ranges::all_of(film.value, [](double value) { return value == 0; });
+  const double error = is_dark ? 0 : relative_error(film);
   if (!(error <= largest_exact_error)) {
     why = fmt::format("its error, {:.1g}, is too large", error);
     return std::nullopt;
