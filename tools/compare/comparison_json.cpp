@@ -75,10 +75,19 @@ ordered_json json_of(const Run& run, const RunErrors& errors, int dimension) {
                     {"samples", run.samples},
                     {"seconds", json_of(run.seconds)},
                     {"seed_seconds", json_of(run.seed_seconds)},
-                    {"seed_samples", run.seed_samples}};
+                    {"seed_samples", run.seed_samples},
+                    {"command", run.command}};
   write_fields(json["errors"], errors, error_fields);
   json["film"] = wander::to_json(run.film, dimension);
   return json;
+}
+
+ordered_json json_of(const FailedRun& run) {
+  return {{"contender", run.contender},
+          {"budget", run.budget},
+          {"replicate", run.replicate},
+          {"seed", run.seed},
+          {"message", run.message}};
 }
 
 template <class Record>
@@ -94,6 +103,7 @@ void write_runs(ordered_json& json, const Comparison& comparison) {
   json["runs"] = ordered_json::array();
   for (std::size_t i = 0; i < runs.runs.size(); ++i)
     json["runs"].push_back(json_of(runs.runs[i], comparison.errors.at(i), dimension));
+  json["failures"] = list_of(runs.failures);
   Provenance provenance = runs.provenance;
   provenance.scene_text.clear();  // said once
   json["details"] = ordered_json::array();

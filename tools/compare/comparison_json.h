@@ -5,7 +5,9 @@
 //   decisive_budget, ranking, target       of contenders, least error first
 //   reference                              its origin in words, and the film
 //   cells, curves, crossings, profiles     with the names and units of comparison.h
-//   runs                                   each with seed, samples, seconds, errors and film
+//   runs                                   each with seed, samples, seconds, errors, film, and the
+//                                          command that makes it again
+//   failures                               runs that gave no film, and why
 //   details                                a run.json for the first replicate of each contender
 //
 // What is measured is {"value", "low", "high"}, the interval of 95 %; what is not known is null.

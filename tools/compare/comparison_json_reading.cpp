@@ -77,7 +77,16 @@ void read(Run& run, const ordered_json& json) {
   read(run.seconds, json.at("seconds"));
   read(run.seed_seconds, json.at("seed_seconds"));
   run.seed_samples = json.at("seed_samples");
+  run.command = json.at("command");
   run.film = film_from_json(json.at("film"));
+}
+
+void read(FailedRun& run, const ordered_json& json) {
+  run.contender = json.at("contender");
+  run.budget = json.at("budget");
+  run.replicate = json.at("replicate");
+  run.seed = json.at("seed");
+  run.message = json.at("message");
 }
 
 template <class Record>
@@ -99,6 +108,7 @@ Runs runs_from(const ordered_json& json, const std::string& place) {
   runs.reference.origin = json.at("reference").at("origin");
   runs.reference.film = film_from_json(json.at("reference").at("film"));
   read(runs.runs, json.at("runs"));
+  read(runs.failures, json.at("failures"));
   for (const ordered_json& run : json.at("details"))
     runs.details.push_back(run_from_json(run, place).rendering);
   return runs;
@@ -134,6 +144,7 @@ void require_consistent(const Comparison& c) {
     require(ranked[i] == i, "its ranking does not name each contender once");
   for (const Run& run : c.runs.runs)
     require(known(run) && run.budget < budgets, "a run is of an unknown contender or budget");
+  require(std::ranges::all_of(c.runs.failures, known), "a failed run is of an unknown contender");
   for (const Run& run : c.runs.runs)
     require(run.film.value.size() == bins, "a film is not as large as the reference");
 }
