@@ -87,6 +87,18 @@ Faults sibling_includes(const Sources& sources) {
   return faults;
 }
 
+// Exact answers share no code with the transport that is held against them.
+Faults dependent_oracles(const Sources& sources) {
+  Faults faults;
+  for (const auto& [file, text] : sources) {
+    if (!file.starts_with("core/exact/")) continue;
+    for (const std::string& name : own_includes(text))
+      if (!name.starts_with("core/exact/") && name != "core/description.h")
+        faults.push_back(file + " includes " + name);
+  }
+  return faults;
+}
+
 class CircleSearch {
  public:
   explicit CircleSearch(const Sources& sources) : sources_(sources) {
@@ -127,6 +139,10 @@ TEST(Floors, IncludeOnlyDownwards) { EXPECT_EQ(upward_includes(read_sources()), 
 
 TEST(Floors, KeepMutationsApart) { EXPECT_EQ(sibling_includes(read_sources()), Faults{}); }
 
+TEST(Floors, KeepExactAnswersIndependent) {
+  EXPECT_EQ(dependent_oracles(read_sources()), Faults{});
+}
+
 TEST(Floors, HaveNoCircles) { EXPECT_EQ(circles(read_sources()), Faults{}); }
 
 // ---- controls: the checks themselves, on sources that are wrong
@@ -156,6 +172,14 @@ TEST(FloorChecks, CatchAMutationThatKnowsItsSibling) {
   EXPECT_EQ(faults("mutations/perturbation.h", "mutations/lens.h"), 1u);
   EXPECT_EQ(faults("mutations/lens.cpp", "mutations/lens.h"), 0u);
   EXPECT_EQ(faults("mutations/lens.h", "mutations/perturbation.h"), 0u);
+}
+
+TEST(FloorChecks, CatchAnExactAnswerThatLeansOnTheTransport) {
+  EXPECT_EQ(dependent_oracles({{"core/exact/a.cpp", "#include \"core/scene.h\"\n"}}).size(), 1u);
+  EXPECT_EQ(dependent_oracles({{"core/exact/a.cpp",
+                                "#include \"core/exact/b.h\"\n#include \"core/description.h\"\n"},
+                               {"core/a.cpp", "#include \"core/scene.h\"\n"}}),
+            Faults{});
 }
 
 TEST(FloorChecks, CatchACircle) {

@@ -30,6 +30,7 @@ constexpr const char* introduction =
     "  wander inspect gallery:NAME                      what a scene requires\n"
     "  wander render gallery:NAME -m mlt -b 5s -o run   the light on its sensor, with error bars\n"
     "  wander plot run/run.json -o film.svg             the result as a figure\n"
+    "  wander compare gallery:NAME -m bdpt,mlt -o duel  error against time and samples\n"
     "  wander trace gallery:NAME -o chains.nc           every step of some Markov chains\n";
 
 std::string exit_code_table() {
@@ -54,6 +55,7 @@ void build(CLI::App& app, Global& global) {
   add_gallery(app, global);
   add_plot(app, global);
   add_check(app, global);
+  add_compare(app, global);
   for (CLI::App* verb : app.get_subcommands({})) verb->group("Verbs");
 }
 

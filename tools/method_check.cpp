@@ -1,18 +1,11 @@
 #include "tools/method_check.h"
 
-#include "core/build_scene.h"
 #include "mlt/render.h"
 #include "tools/methods.h"
 
 namespace wander {
 
 namespace {
-
-// Light tracing reaches a camera by connections alone, which mirrors and smooth glass forbid.
-bool can_see_all(std::string_view method, const description::Scene& description) {
-  if (method != "lt" || !description.camera) return true;
-  return !build_flatland(description)->has_specular();
-}
 
 // Methods with the same seed share their random walks; their films would not be independent.
 Session with_own_numbers(Session session, std::uint64_t method) {
@@ -56,7 +49,7 @@ std::vector<MethodCheck> check_methods(const description::Scene& scene, const Di
   std::vector<MethodCheck> checks;
   for (const std::string_view method : checked_methods()) {
     const std::string name(method);
-    if (!can_see_all(method, scene)) {
+    if (!sees_all_light(method, scene)) {
       checks.push_back(untested(
           name, "it cannot find paths that reach the camera from a mirror or from smooth glass"));
     } else {

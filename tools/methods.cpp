@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "tools/failure.h"
 #include "tools/world_methods.h"
 
 namespace wander {
@@ -14,6 +15,18 @@ constexpr std::array<std::string_view, 8> names{"pt",     "lt",   "bdpt",     "m
 }  // namespace
 
 std::span<const std::string_view> method_names() { return names; }
+
+void require_possible(std::string_view method, const description::Scene& scene) {
+  if (method == "lt-naive" && scene.camera)
+    throw UsageError(
+        "lt-naive cannot see through a camera: its light paths must hit the sensor by chance, and "
+        "no path hits a pinhole, nor a lens, which is no surface of the scene; use lt, or a sensor "
+        "shape");
+}
+
+bool sees_all_light(std::string_view method, const description::Scene& scene) {
+  return method != "lt" || !scene.camera || !requires_of(scene).specular;
+}
 
 Rendering render(const description::Scene& described, std::string_view method, const Dials& dials,
                  const Session& session) {

@@ -9,6 +9,7 @@
 
 #include "core/output/atomic_file.h"
 #include "core/output/run_files.h"
+#include "tools/compare/outputs.h"
 #include "tools/failure.h"
 
 namespace wander {
@@ -25,7 +26,7 @@ void require_our_own(const fs::path& directory, const Global& global) {
   std::error_code error;
   const bool empty = fs::is_empty(directory, error);
   if (error) throw OutputError(directory.string(), error.value());
-  if (empty || global.force || holds_run(directory)) return;
+  if (empty || global.force || holds_run(directory) || compare::holds_comparison(directory)) return;
   throw UsageError(fmt::format(
       "{} holds files that this program did not make; choose another place or add --force",
       directory.string()));

@@ -18,7 +18,7 @@ void require_writable_directory(const std::filesystem::path& file);
 // The directory of a run, made when this object is and gone again with it if nothing was written.
 class OutputDirectory {
  public:
-  // An existing directory must be empty, hold a run of the program, or be forced.
+  // An existing directory must be empty, hold a run or comparison of the program, or be forced.
   // Throws UsageError or OutputError, before anything is computed.
   OutputDirectory(const std::filesystem::path& path, const Global& global);
   ~OutputDirectory();

@@ -57,16 +57,6 @@ std::optional<double> quantity_in(std::string_view text, std::span<const Unit> u
   return std::nullopt;
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 std::pair<std::string, double> weight_in(std::string_view item) {
   const std::size_t equals = item.find('=');
   const std::string_view word = item.substr(0, equals);
@@ -82,6 +72,16 @@ std::pair<std::string, double> weight_in(std::string_view item) {
 }
 
 }  // namespace
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t end = text.find(separator);
+    parts.push_back(text.substr(0, end));
+    if (end == std::string_view::npos) return parts;
+    text.remove_prefix(end + 1);
+  }
+}
 
 Budget parse_budget(std::string_view text) {
   constexpr std::string_view error = "error<";
@@ -193,6 +193,14 @@ int parse_max_vertices(std::string_view text) {
 std::uint64_t parse_count(std::string_view what, std::string_view text, std::uint64_t low,
                           std::uint64_t high) {
   return number_between(what, text, low, high);
+}
+
+double parse_share(std::string_view what, std::string_view text) {
+  const auto share = number_in<double>(text);
+  if (!share || !(*share > 0 && *share < 1))
+    throw UsageError(
+        fmt::format("{} '{}': allowed is a number above 0 and below 1, such as 0.01", what, text));
+  return *share;
 }
 
 std::pair<std::uint64_t, std::uint64_t> parse_pair(std::string_view what, std::string_view text) {

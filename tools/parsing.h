@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/session.h"
 #include "tools/methods.h"
@@ -13,6 +14,9 @@
 #include "tools/verb.h"
 
 namespace wander {
+
+// The parts between the separators; an empty text is one empty part.
+std::vector<std::string_view> split(std::string_view text, char separator);
 
 // `2000000`, `300k`, `5M`, `2G` samples; `30s`, `1.5s` of wall time; `error<0.01`, of the film.
 Budget parse_budget(std::string_view text);
@@ -46,6 +50,8 @@ int parse_max_vertices(std::string_view text);
 // A whole number from `low` to `high`; `what` names it in the message.
 std::uint64_t parse_count(std::string_view what, std::string_view text, std::uint64_t low,
                           std::uint64_t high);
+// A number above 0 and below 1.
+double parse_share(std::string_view what, std::string_view text);
 // `A:B`, two whole numbers from 0 to 2^53.
 std::pair<std::uint64_t, std::uint64_t> parse_pair(std::string_view what, std::string_view text);
 ProgressMode parse_progress(std::string_view text);

@@ -9,7 +9,6 @@
 
 #include "core/output/run_files.h"
 #include "core/output/run_json.h"
-#include "core/output/version.h"
 #include "tools/console.h"
 #include "tools/dial_options.h"
 #include "tools/failure.h"
@@ -39,15 +38,6 @@ void require_sensible(const RenderOptions& options, const Global& global) {
   options.given->require_for(options.method->name);
 }
 
-void require_possible(const RenderOptions& options, const description::Scene& scene) {
-  if (options.method->name == "lt-naive" && scene.camera)
-    throw UsageError(
-        "lt-naive cannot see through a camera: its light paths must hit the sensor by chance, and "
-        "no "
-        "path hits a pinhole, nor a lens, which is no surface of the scene; use lt, or a sensor "
-        "shape");
-}
-
 SceneDocument scene_for(const RenderOptions& options) {
   SceneDocument document = open_scene(options.scene);
   const Dials& dials = options.given->dials;
@@ -72,23 +62,15 @@ Rendering rendering_of(const SceneDocument& document, const RenderOptions& optio
   return rendering;
 }
 
-Provenance provenance_of(const SceneDocument& document, const Global& global) {
-  return {.scene_name = document.scene.name,
-          .scene_text = document.text,
-          .scene_sha256 = document.sha256,
-          .dimension = document.scene.dimension,
-          .command_line = global.command_line,
-          .version = program_version()};
-}
-
 ExitCode render_scene(const RenderOptions& options, const Global& global) {
   require_sensible(options, global);
   const SceneDocument document = scene_for(options);
-  require_possible(options, document.scene);
+  require_possible(options.method->name, document.scene);
   std::optional<OutputDirectory> directory;
   if (!global.out.empty()) directory.emplace(global.out, global);
 
-  const RunRecord run{rendering_of(document, options, global), provenance_of(document, global)};
+  const RunRecord run{rendering_of(document, options, global),
+                      provenance_of(document, global.command_line)};
 
   if (directory) {
     write_run(run, document.scene, directory->path());

@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "core/output/version.h"
 #include "tools/failure.h"
 #include "tools/nearest.h"
 
@@ -13,6 +14,15 @@ SceneDocument open_scene(const std::string& source) {
   if (!source.starts_with(gallery_prefix)) return read_scene_file(source);
   const GalleryScene& scene = gallery_scene(std::string_view(source).substr(gallery_prefix.size()));
   return parse_scene(scene.text, source);
+}
+
+Provenance provenance_of(const SceneDocument& document, const std::string& command_line) {
+  return {.scene_name = document.scene.name,
+          .scene_text = document.text,
+          .scene_sha256 = document.sha256,
+          .dimension = document.scene.dimension,
+          .command_line = command_line,
+          .version = program_version()};
 }
 
 std::vector<std::string> scene_warnings(const SceneDocument& document, const std::string& source) {

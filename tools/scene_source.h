@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/output/run_record.h"
 #include "core/scene_file.h"
 #include "tools/gallery_scenes.h"
 
@@ -14,6 +15,8 @@ inline constexpr std::string_view gallery_prefix = "gallery:";
 
 // Throws SceneFileError for an invalid scene, UsageError for an unknown name.
 SceneDocument open_scene(const std::string& source);
+
+Provenance provenance_of(const SceneDocument& document, const std::string& command_line);
 
 // "SOURCE:LINE:COL: /pointer: what" for each doubt about a valid scene.
 std::vector<std::string> scene_warnings(const SceneDocument& document, const std::string& source);

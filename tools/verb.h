@@ -50,5 +50,6 @@ void add_inspect(CLI::App& app, Global& global);
 void add_gallery(CLI::App& app, Global& global);
 void add_plot(CLI::App& app, Global& global);
 void add_check(CLI::App& app, Global& global);
+void add_compare(CLI::App& app, Global& global);
 
 }  // namespace wander

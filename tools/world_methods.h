@@ -11,6 +11,7 @@
 #include "mlt/render.h"
 #include "mutations/kelemen.h"
 #include "tools/dials.h"
+#include "tools/methods.h"
 
 namespace wander {
 
@@ -64,9 +65,8 @@ class WorldMethods {
         "sensor that faces away, or a max_vertices that is too small");
   }
 
-  // Light tracing reaches a camera by connections alone.
   void warn_if_blind(Rendering& rendering) const {
-    if (rendering.method != "lt" || !scene_->camera() || !scene_->has_specular()) return;
+    if (sees_all_light(rendering.method, description_)) return;
     rendering.warnings.push_back(
         "light tracing cannot find paths that reach the camera from a mirror or from smooth "
         "glass, so their light is missing from this film; use pt, bdpt or mlt");

@@ -22,13 +22,17 @@ void write_run(const RunRecord& run, const description::Scene& scene,
   for (StagedFile& file : files) file.commit();
 }
 
-bool holds_run(const std::filesystem::path& directory) {
+bool holds_document(const std::filesystem::path& path, std::string_view schema) {
   // The schema is the first entry of the document.
   std::string beginning(64, '\0');
-  std::ifstream file(directory / "run.json", std::ios::binary);
+  std::ifstream file(path, std::ios::binary);
   file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  const std::size_t schema = beginning.find("\"schema\"");
-  return schema != std::string::npos && beginning.find(run_schema, schema) != std::string::npos;
+  const std::size_t key = beginning.find("\"schema\"");
+  return key != std::string::npos && beginning.find(schema, key) != std::string::npos;
+}
+
+bool holds_run(const std::filesystem::path& directory) {
+  return holds_document(directory / "run.json", run_schema);
 }
 
 }  // namespace wander

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 #include "core/description.h"
 #include "core/output/run_record.h"
@@ -13,6 +14,8 @@ namespace wander {
 void write_run(const RunRecord& run, const description::Scene& scene,
                const std::filesystem::path& directory);
 
+// True if the file begins as a JSON document of this schema.
+bool holds_document(const std::filesystem::path& file, std::string_view schema);
 // True if the program itself wrote a run there.
 bool holds_run(const std::filesystem::path& directory);
 

@@ -3,12 +3,14 @@
 // Russian roulette and without.  False-alarm rate 1e-9 per decision.
 #include <gtest/gtest.h>
 
+#include "core/exact/radiosity.h"
 #include "tests/core/film_sampling.h"
 #include "tests/support/core_scenes.h"
 #include "tests/support/expect.h"
-#include "tests/support/radiosity.h"
 
 namespace wander::test {
+
+using namespace exact;
 namespace {
 
 Estimator family(int s, int t) {

@@ -8,13 +8,15 @@
 
 #include <boost/math/distributions/students_t.hpp>
 
+#include "core/exact/radiosity.h"
 #include "core/scene_file.h"
 #include "tests/support/expect.h"
-#include "tests/support/radiosity.h"
 #include "tests/support/statistics.h"
 #include "tools/methods.h"
 
 namespace wander::test {
+
+using namespace exact;
 namespace {
 
 constexpr int runs = 160;

@@ -8,17 +8,19 @@
 #include <algorithm>
 
 #include "core/estimate.h"
+#include "core/exact/radiosity.h"
 #include "mlt/render.h"
 #include "mutations/catalogue.h"
 #include "tests/support/core_scenes.h"
 #include "tests/support/expect.h"
 #include "tests/support/films.h"
 #include "tests/support/perturbation_rooms.h"
-#include "tests/support/radiosity.h"
 #include "tests/support/reference_values.h"
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {
+
+using namespace exact;
 namespace {
 
 Session session_of(std::uint64_t samples) {

@@ -7,15 +7,17 @@
 #include <cmath>
 
 #include "core/estimate.h"
+#include "core/exact/radiosity.h"
 #include "tests/support/core_scenes.h"
 #include "tests/support/expect.h"
 #include "tests/support/films.h"
 #include "tests/support/primary_runs.h"
-#include "tests/support/radiosity.h"
 #include "tests/support/reference_values.h"
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {
+
+using namespace exact;
 namespace {
 
 class PrimaryFilms : public ::testing::TestWithParam<PrimaryMethod> {

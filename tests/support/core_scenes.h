@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "core/build_scene.h"
-#include "tests/support/plane.h"
+#include "core/exact/plane.h"
 
 namespace wander::test {
+
+using namespace exact;
 
 // What a shape is made for.  Nothing: black.
 struct Role {

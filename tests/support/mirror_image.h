@@ -12,9 +12,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "tests/support/plane.h"
+#include "core/exact/plane.h"
 
 namespace wander::test {
+
+using namespace exact;
 
 // The emitter is black behind, blocks from both sides, and shines from its front; it is also the
 // only thing that blocks the way from sensor to mirror, and nothing blocks the way from mirror to

@@ -1,23 +1,18 @@
-// Integrals over intervals and boxes: Gauss-Legendre rules and an adaptive rule with error control.
+// Integrals over intervals and boxes by an adaptive rule with error control.
 //
-// A Gauss-Legendre rule of n points is exact for polynomials of degree 2n - 1.  The adaptive rule
-// compares one tensor rule with the sum of the rules on the 2^N halves of the box, and bisects
+// It compares one tensor rule with the sum of the rules on the 2^N halves of the box, and bisects
 // where the two differ; a jump or a kink of the integrand costs depth, not accuracy.
 #pragma once
 
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <vector>
+
+#include "core/exact/gauss.h"
 
 namespace wander::test {
 
-struct GaussRule {
-  std::vector<double> nodes, weights;  // on [0, 1]; the weights sum to 1
-};
-
-// The rule of that many points, by Newton's method on the Legendre polynomial; computed once each.
-const GaussRule& gauss_rule(std::size_t points);
+using namespace exact;
 
 template <std::size_t N>
 struct Box {

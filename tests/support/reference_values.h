@@ -9,9 +9,11 @@
 #include <array>
 #include <limits>
 
-#include "tests/support/plane.h"
+#include "core/exact/plane.h"
 
 namespace wander::test::reference {
+
+using namespace exact;
 
 // A. An emitter parallel to the sensor's line; direct light.
 namespace parallel_emitter {

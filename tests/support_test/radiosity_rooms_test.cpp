@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/support/radiosity.h"
+#include "core/exact/radiosity.h"
 
 namespace wander::test {
+
+using namespace exact;
 namespace {
 
 // Two rooms of 1 × 1, a lamp in the left one, a sensor in the right one.

@@ -1,6 +1,6 @@
 // The radiosity solver against every exact answer that is known, and against conservation laws that
 // hold in any scene.
-#include "tests/support/radiosity.h"
+#include "core/exact/radiosity.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +12,8 @@
 #include "tests/support/reference_values.h"
 
 namespace wander::test {
+
+using namespace exact;
 namespace {
 
 Wall black(const PlaneSegment& s) { return {.from = s.from, .to = s.to}; }

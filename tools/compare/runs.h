@@ -26,6 +26,14 @@ struct Run {
   double seed_seconds = 0;         // of which seed pass
   std::uint64_t seed_samples = 0;  // of the seed pass; 0 for independent samples
   FilmEstimate film;
+  std::string command{};  // that makes this run again, quoted for a shell
+};
+
+// A rendering that gave no film: a chain that found no light to start from.
+struct FailedRun {
+  std::size_t contender = 0, budget = 0, replicate = 0;
+  std::uint64_t seed = 1;
+  std::string message;
 };
 
 // What errors are measured against: a film whose own error is known.
@@ -40,8 +48,11 @@ struct Runs {
   std::vector<std::string> budgets{};  // as given: "1s", "2M"
   std::size_t replicates = 0;
   std::vector<Run> runs{};  // in the order in which they were made
+  std::vector<FailedRun> failures{};
+  double target = not_known;  // relative error asked for; not known: what the best reaches
   Reference reference{};
-  // The first replicate of each contender at the last budget, with all its records.
+  // For each contender the first replicate at the last budget, with all its records; one without
+  // samples where there is none.
   std::vector<Rendering> details{};
   std::vector<std::string> warnings{};
   bool complete = true;  // false: interrupted

@@ -1,11 +1,11 @@
-#include "tests/support/radiosity_mesh.h"
+#include "core/exact/radiosity_mesh.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <optional>
 
-namespace wander::test {
+namespace wander::exact {
 
 namespace {
 
@@ -175,11 +175,11 @@ RadiosityElements make_elements(const RadiosityScene& scene, const Mesher& meshe
       const std::vector<Stretch> stretches = mesher.stretches(w, {});
       for (const Stretch stretch : stretches) append(front, stretch, mesh.nodes);
       for (const Stretch stretch : stretches) append(back, stretch, mesh.nodes);
-    } else if (wall.radiance > 0) {
+    } else if (wall.radiance > 0 || wall.bins > 0) {  // of a sensor: as if it shone
       append(front, {}, 1);
     }
   }
   return elements;
 }
 
-}  // namespace wander::test
+}  // namespace wander::exact

@@ -1,10 +1,11 @@
-#include "tests/support/quadrature.h"
+#include "core/exact/gauss.h"
 
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <numbers>
 
-namespace wander::test {
+namespace wander::exact {
 
 namespace {
 
@@ -53,4 +54,4 @@ const GaussRule& gauss_rule(std::size_t points) {
   return rules.emplace(points, make_rule(points)).first->second;
 }
 
-}  // namespace wander::test
+}  // namespace wander::exact

@@ -6,10 +6,13 @@
 #include <cstddef>
 #include <vector>
 
-#include "tests/support/crossed_strings.h"
-#include "tests/support/radiosity_mesh.h"
+#include "core/exact/radiosity_mesh.h"
+#include "core/exact/visibility.h"
 
-namespace wander::test {
+namespace wander::exact {
+
+// entries[a] += weight · ℓ_a(t), for the Lagrange polynomials ℓ of the Gauss points in [0, 1].
+void add_lagrange(double* entries, std::size_t nodes, double t, double weight);
 
 // One receiver's row: what it gathers of each unknown.
 class TransportRow {
@@ -42,4 +45,4 @@ class Transport {
   const RadiosityElements& elements_;
 };
 
-}  // namespace wander::test
+}  // namespace wander::exact

@@ -4,9 +4,9 @@
 #include <variant>
 
 #include "core/description.h"
-#include "tests/support/radiosity.h"
+#include "core/exact/radiosity.h"
 
-namespace wander::test {
+namespace wander::exact {
 
 namespace {
 
@@ -69,4 +69,4 @@ RadiosityScene radiosity_scene(const description::Scene& scene) {
   return result;
 }
 
-}  // namespace wander::test
+}  // namespace wander::exact

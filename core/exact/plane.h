@@ -1,4 +1,5 @@
-// Points and segments of the plane, for the oracles only: they share no code with the program.
+// Points and segments of the plane, for exact answers only: they share no code with light
+// transport, so that each can be held against the other.
 //
 // As in the scene format, a segment's normal is its direction turned left, and its front is the
 // side of the normal.
@@ -7,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wander::test {
+namespace wander::exact {
 
 struct PlanePoint {
   double x = 0, y = 0;
@@ -52,4 +53,4 @@ struct Receiver {
   PlanePoint position, normal;
 };
 
-}  // namespace wander::test
+}  // namespace wander::exact

@@ -1,31 +1,18 @@
-#include "tests/support/radiosity_transport.h"
+#include "core/exact/radiosity_transport.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-#include "tests/support/quadrature.h"
+#include "core/exact/gauss.h"
 
-namespace wander::test {
+namespace wander::exact {
 
 namespace {
 
 // Points of the rule on a piece no longer than its distance: the nearest singularity of 1/r then
 // lies on a Bernstein ellipse of 2 + √5, and the error is below (2 + √5)^-20 = 3e-13.
 constexpr std::size_t piece_points = 10;
-
-// w[a] += weight · ℓ_a(t), for the Lagrange polynomials of the nodes, by products of differences.
-void add_lagrange(double* w, const std::vector<double>& nodes, const std::vector<double>& scale,
-                  double t, double weight) {
-  const std::size_t n = nodes.size();
-  double before = weight;
-  for (std::size_t a = 0; a < n; ++a) {
-    double product = before * scale[a];
-    for (std::size_t b = a + 1; b < n; ++b) product *= t - nodes[b];
-    w[a] += product;
-    before *= t - nodes[a];
-  }
-}
 
 // 1 / Π_{b≠a} (t_a - t_b).
 std::vector<double> lagrange_scale(const std::vector<double>& nodes) {
@@ -36,10 +23,16 @@ std::vector<double> lagrange_scale(const std::vector<double>& nodes) {
   return scale;
 }
 
-const std::vector<double>& scale_of(std::size_t nodes) {
-  thread_local std::vector<std::vector<double>> known;
+struct Basis {
+  std::vector<double> nodes, scale;
+};
+
+// Without a lock, unlike gauss_rule().
+const Basis& basis_of(std::size_t nodes) {
+  thread_local std::vector<Basis> known;
   if (known.size() <= nodes) known.resize(nodes + 1);
-  if (known[nodes].empty()) known[nodes] = lagrange_scale(gauss_rule(nodes).nodes);
+  if (known[nodes].nodes.empty())
+    known[nodes] = {gauss_rule(nodes).nodes, lagrange_scale(gauss_rule(nodes).nodes)};
   return known[nodes];
 }
 
@@ -63,8 +56,6 @@ void add_near_rule(const Coupling& c, Stretch piece) {
   // cos θy / r = |(y - x) × (to - from)| / |to - from| / r²; the numerator is the same for all y.
   const double offset = std::abs(cross(ends.from - c.receiver.position, ends.to - ends.from));
   const GaussRule& rule = gauss_rule(piece_points);
-  const std::vector<double>& nodes = gauss_rule(c.element.nodes).nodes;
-  const std::vector<double>& scale = scale_of(c.element.nodes);
   const double stretch = c.element.stretch.to - c.element.stretch.from;
   for (std::size_t q = 0; q < piece_points; ++q) {
     const PlanePoint d = ends.at(rule.nodes[q]) - c.receiver.position;
@@ -73,7 +64,7 @@ void add_near_rule(const Coupling& c, Stretch piece) {
     const double g = cosine * offset / (r2 * std::sqrt(r2));         // times |to - from| from dl
     const double position = std::lerp(piece.from, piece.to, rule.nodes[q]);
     const double t = (position - c.element.stretch.from) / stretch;
-    add_lagrange(c.entries, nodes, scale, t, rule.weights[q] * g);
+    add_lagrange(c.entries, c.element.nodes, t, rule.weights[q] * g);
   }
 }
 
@@ -100,6 +91,18 @@ void add_part(const Coupling& c, Stretch part) {
 }
 
 }  // namespace
+
+// By products of differences.
+void add_lagrange(double* entries, std::size_t nodes, double t, double weight) {
+  const auto& [at, scale] = basis_of(nodes);
+  double before = weight;
+  for (std::size_t a = 0; a < nodes; ++a) {
+    double product = before * scale[a];
+    for (std::size_t b = a + 1; b < nodes; ++b) product *= t - at[b];
+    entries[a] += product;
+    before *= t - at[a];
+  }
+}
 
 double TransportRow::irradiance(const std::vector<double>& radiance) const {
   double sum = 0;
@@ -132,4 +135,4 @@ TransportRow Transport::row(const Receiver& receiver) const {
   return result;
 }
 
-}  // namespace wander::test
+}  // namespace wander::exact

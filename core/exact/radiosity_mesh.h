@@ -6,10 +6,10 @@
 #include <cstddef>
 #include <vector>
 
-#include "tests/support/crossed_strings.h"
-#include "tests/support/radiosity.h"
+#include "core/exact/radiosity.h"
+#include "core/exact/visibility.h"
 
-namespace wander::test {
+namespace wander::exact {
 
 // A stretch of a wall, by positions in [0, 1].
 struct Stretch {
@@ -17,7 +17,7 @@ struct Stretch {
 };
 
 // Part of one side of a wall; `nodes` unknowns from index `first`, at Gauss points.  One node means
-// a constant, exact for black emitters.
+// a constant, exact for black emitters and sensors.
 struct Element {
   Stretch stretch;
   std::size_t first = 0, nodes = 1;
@@ -66,4 +66,4 @@ struct RadiosityElements {
 RadiosityElements make_elements(const RadiosityScene& scene, const Mesher& mesher,
                                 const RadiosityMesh& mesh);
 
-}  // namespace wander::test
+}  // namespace wander::exact

@@ -19,13 +19,13 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/plane.h"
+#include "core/exact/plane.h"
 
 namespace wander::description {
 struct Scene;
 }
 
-namespace wander::test {
+namespace wander::exact {
 
 struct Wall {
   PlanePoint from, to;
@@ -71,8 +71,12 @@ RadiositySolution solve_radiosity(const RadiosityScene& scene, const RadiosityMe
 // On this mesh alone; `error` stays empty.
 RadiositySolution solve_radiosity_once(const RadiosityScene& scene, const RadiosityMesh& mesh);
 
+// Throws std::invalid_argument where a number is outside its domain, or no wall is a sensor.
+void require_valid(const RadiosityScene& scene);
+std::vector<PlaneSegment> lines_of(const RadiosityScene& scene);
+
 // A whole scene file: segments and polylines, diffuse or black, no camera.  Throws
 // std::invalid_argument naming what else it finds.
 RadiosityScene radiosity_scene(const description::Scene& scene);
 
-}  // namespace wander::test
+}  // namespace wander::exact

@@ -1,0 +1,216 @@
+// `wander compare`: error against time and samples, method against method.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "core/build_scene.h"
+#include "tools/compare/comparison_json.h"
+#include "tools/compare/outputs.h"
+#include "tools/compare/reference.h"
+#include "tools/console.h"
+#include "tools/failure.h"
+#include "tools/interruption.h"
+#include "tools/methods.h"
+#include "tools/output_place.h"
+#include "tools/parsing.h"
+#include "tools/progress.h"
+#include "tools/scene_source.h"
+#include "tools/verb.h"
+
+namespace wander {
+
+namespace {
+
+using namespace compare;
+
+struct CompareOptions {
+  std::string scene;
+  std::string methods = "bdpt,mlt";
+  std::string budgets = "0.25s,1s,4s";
+  std::size_t replicates = 8;
+  std::string reference = "auto";
+  std::vector<std::string> fixed, sweeps;
+  double target = not_known;
+};
+
+Plan plan_of(const CompareOptions& options, const Global& global) {
+  std::vector<Setting> fixed;
+  std::vector<Sweep> sweeps;
+  for (const std::string& text : options.fixed) fixed.push_back(parse_setting(text));
+  for (const std::string& text : options.sweeps) sweeps.push_back(parse_sweep(text));
+  Plan plan{.source = options.scene,
+            .entrants = line_up(parse_methods(options.methods), fixed, sweeps),
+            .budgets = parse_budgets(options.budgets),
+            .replicates = options.replicates,
+            .seed = global.seed,
+            .threads = global.threads};
+  require_few_enough(plan);
+  return plan;
+}
+
+// Paths are as long as the scene says, or the base point.
+SceneDocument scene_for(const Plan& plan) {
+  SceneDocument document = open_scene(plan.source);
+  const Dials& base = plan.entrants.front().dials;
+  document.scene.max_vertices = base.max_vertices.value_or(document.scene.max_vertices);
+  for (const Entrant& entrant : plan.entrants)
+    require_possible(entrant.contender.method, document.scene);
+  return document;
+}
+
+// What is known before anything is measured.
+std::optional<Reference> known_reference(const SceneDocument& document, const std::string& wanted,
+                                         Runs& runs) {
+  if (wanted != "auto") {
+    const auto scene = build_flatland(document.scene);
+    const auto shape = scene->resolution();
+    return reference_from_file(wanted, {shape.begin(), shape.end()}, runs.provenance,
+                               runs.warnings);
+  }
+  std::string why;
+  auto exact = exact_reference(document.scene, why);
+  if (!exact) spdlog::debug("no exact film: {}", why);
+  return exact;
+}
+
+// The warnings of the methods, each said once.
+void collect_warnings(Runs& runs) {
+  for (std::size_t c = 0; c < runs.contenders.size(); ++c)
+    for (const std::string& warning : runs.details[c].warnings)
+      runs.warnings.push_back(fmt::format("{}: {}", runs.contenders[c].label, warning));
+  if (!runs.failures.empty())
+    runs.warnings.push_back(fmt::format(
+        "{} of {} runs failed, the first of {}: {}", runs.failures.size(),
+        runs.failures.size() + runs.runs.size(),
+        runs.contenders[runs.failures.front().contender].label, runs.failures.front().message));
+}
+
+void require_some(const Runs& runs) {
+  if (!runs.runs.empty()) return;
+  if (!runs.complete)
+    throw CommandFailure(ExitCode::interrupted, "interrupted before the first run was complete");
+  throw CommandFailure(ExitCode::failure, runs.failures.front().message);
+}
+
+Runs runs_of(const SceneDocument& document, const Plan& plan, const CompareOptions& options,
+             const Global& global) {
+  Runs runs = prepared(plan, provenance_of(document, global.command_line));
+  runs.target = options.target;
+  runs.warnings = scene_warnings(document, options.scene);
+  std::optional<Reference> reference = known_reference(document, options.reference, runs);
+  Progress progress(global);
+  const Session common{.threads = global.threads,
+                       .interrupted = &watch_for_interruption(),
+                       .report = progress.reporter()};
+  Course course(document.scene, common, effort_of(plan) + (reference ? 0 : long_effort(plan)));
+  measure(plan, course, runs);
+  require_some(runs);
+  if (!reference) {
+    const ReferenceCache cache(runs.provenance, document.scene.max_vertices);
+    reference = long_reference(document.scene, plan, cache, course, runs);
+  }
+  runs.reference = *std::move(reference);
+  collect_warnings(runs);
+  return runs;
+}
+
+ExitCode compare_methods(const CompareOptions& options, const Global& global) {
+  if (global.out.empty() && !global.json)
+    throw UsageError("compare needs -o DIR (where the tables go), or --json, or both");
+  const Plan plan = plan_of(options, global);
+  const SceneDocument document = scene_for(plan);
+  std::optional<OutputDirectory> directory;
+  if (!global.out.empty()) directory.emplace(global.out, global);
+
+  const Comparison comparison = summarize(runs_of(document, plan, options, global));
+
+  if (directory) write_comparison(comparison, directory->path());
+  if (!global.quiet) {
+    for (const std::string& line : comparison.verdict) print_note(line + "\n");
+    if (directory) print_note(fmt::format("  saved in  {}\n", directory->path().string()));
+  }
+  for (const std::string& warning : comparison.runs.warnings) spdlog::warn("{}", warning);
+  if (global.json) print_json(to_json(comparison));
+  return comparison.runs.complete ? ExitCode::ok : ExitCode::interrupted;
+}
+
+std::string dials_help() {
+  std::string text = "Dials, for --dial and --sweep:\n";
+  for (const Dial& dial : dials())
+    text += fmt::format("  {:<15} {}\n", fmt::format("{}={}", dial.word, dial.value), dial.help);
+  return text;
+}
+
+constexpr const char* details = R"(
+Every method runs R times at every budget, each time with a seed of its own.  Contenders take turns
+in an order that rotates, so that a machine that grows hot or busy harms all alike.  Budgets are all
+samples (300k, 5M) or all seconds (0.5s, 30s).  With samples, the same seed gives the same errors,
+whatever the number of threads.
+
+A sweep adds, to each method that has the dial, one contender for each value, the other dials being
+as usual or as --dial says.  Several sweeps are made one after the other.  Values that hold commas
+are parted by semicolons: --sweep 'mutations=lens=1,primary=1;bidirectional=1'.
+
+Errors are measured against a reference whose own error is known and allowed for:
+  FILE  a run.json, film.exr, or DIR of an earlier render, or the reference.json of a comparison
+  auto  the exact film where all is diffuse and made of segments; else the mean of two long runs of
+        the best method, each 1.5 R times the largest budget.  These are kept for the next time in
+        $XDG_CACHE_HOME/wanderlight or ~/.cache/wanderlight; remove that folder to make them anew.
+
+DIR receives compare.json, compare.csv and reference.json.  Ctrl-C ends the comparison
+with what is complete: exit code 130 and "complete": false.  A run in which a chain finds no light to
+start from is recorded as failed and does not end the comparison.
+
+Examples:
+  wander compare scene.json -o comparison
+  wander compare scene.json -m pt,bdpt,mlt -b 100k,1M --replicates 16 --target 0.01 -o comparison
+  wander compare scene.json -m mlt -b 1s,4s --sweep max_vertices=4,6,8 -o sweep
+)";
+
+}  // namespace
+
+void add_compare(CLI::App& app, Global& global) {
+  auto options = std::make_shared<CompareOptions>();
+  CLI::App* verb =
+      app.add_subcommand("compare", "error against time and samples, method against method");
+  verb->add_option("SCENE", options->scene, "scene file, or gallery:NAME")
+      ->type_name("")
+      ->required();
+  verb->add_option("-m,--methods", options->methods, "as of render (default: bdpt,mlt)")
+      ->type_name("METHOD,...");
+  verb->add_option("-b,--budgets", options->budgets,
+                   "how much each run computes (default: 0.25s,1s,4s)")
+      ->type_name("BUDGET,...");
+  verb->add_option_function<std::string>(
+          "--replicates",
+          [options](const std::string& text) {
+            options->replicates = parse_count("--replicates", text, 2, 10'000);
+          },
+          "runs of each contender at each budget (default: 8)")
+      ->type_name("R");
+  verb->add_option("--reference", options->reference,
+                   "what errors are measured against (default: auto)")
+      ->type_name("FILE|auto");
+  verb->add_option("--sweep", options->sweeps, "contenders at these values of a dial")
+      ->type_name("DIAL=V1,V2,...")
+      ->allow_extra_args(false);
+  verb->add_option("--dial", options->fixed, "turn a dial for all methods that have it")
+      ->type_name("DIAL=VALUE")
+      ->allow_extra_args(false);
+  verb->add_option_function<std::string>(
+          "--target",
+          [options](const std::string& text) { options->target = parse_share("--target", text); },
+          "the relative error to which times are told (default: a round one that the best reaches)")
+      ->type_name("E");
+  add_global_options(*verb, global);
+  verb->footer("\n" + dials_help() + details);
+  verb->callback([options, &global] {
+    global.job = [options, &global] { return compare_methods(*options, global); };
+  });
+}
+
+}  // namespace wander

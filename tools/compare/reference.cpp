@@ -1,0 +1,77 @@
+#include "tools/compare/reference.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "core/exact/diffuse_film.h"
+#include "core/output/film_statistics.h"
+#include "core/output/run_json.h"
+#include "tools/failure.h"
+
+namespace wander::compare {
+
+namespace {
+
+// A film whose own error, relative to itself, is above this part is no exact answer.
+constexpr double largest_exact_error = 1e-3;
+
+std::string text_of(const std::vector<int>& shape) {
+  return fmt::format("{} bins", fmt::join(shape, " x "));
+}
+
+}  // namespace
+
+Reference reference_from_file(const std::filesystem::path& file, const std::vector<int>& shape,
+                              const Provenance& scene, std::vector<std::string>& warnings) {
+  RunRecord run = read_run(file);
+  const FilmEstimate& film = run.rendering.film;
+  if (film.value.empty() || film.shape != shape)
+    throw UsageError(fmt::format(
+        "--reference {}: its film has {}{}, that of the scene {}; give a film of the same shape",
+        file.string(), text_of(film.shape), film.value.empty() ? " without values" : "",
+        text_of(shape)));
+  if (run.provenance.scene_sha256 != scene.scene_sha256)
+    warnings.push_back(fmt::format(
+        "--reference {} is of another scene file: errors are measured against that scene's film",
+        file.string()));
+  if (!run.rendering.complete)
+    warnings.push_back(
+        fmt::format("--reference {} is of a run that was interrupted", file.string()));
+  const std::string origin =
+      fmt::format("{}, made by `{}`", file.string(), run.provenance.command_line);
+  return {std::move(run.rendering.film), origin};
+}
+
+std::optional<Reference> exact_reference(const description::Scene& scene, std::string& why) {
+  exact::DiffuseFilm exact;
+  try {
+    exact = exact::diffuse_film(scene);
+  } catch (const std::invalid_argument& problem) {
+    why = problem.what();
+    return std::nullopt;
+  }
+  FilmEstimate film;
+  film.shape = {static_cast<int>(exact.value.size())};
+  film.value = std::move(exact.value);
+  film.standard_error = std::move(exact.error);
+  film.reliable.assign(film.value.size(), true);
+  film.degrees_of_freedom = std::numeric_limits<double>::infinity();
+  const bool is_dark = std::ranges::all_of(film.value, [](double value) { return value == 0; });
+  const double error = is_dark ? 0 : relative_error(film);
+  if (!(error <= largest_exact_error)) {
+    why = fmt::format("its error, {:.1g}, is too large", error);
+    return std::nullopt;
+  }
+  return Reference{
+      std::move(film),
+      fmt::format("exact: diffuse surfaces, solved as a linear system of {} unknowns to "
+                  "a relative error of {:.1g}",
+                  exact.unknowns, error)};
+}
+
+}  // namespace wander::compare
