@@ -18,7 +18,9 @@ struct PairedSquare {
 PairedSquare paired_square(const CellRuns& runs, const Yardstick& yardstick);
 
 // Signed root of (U - mean e²) / mean I², and its interval by the recovery of variances [Zou and
-// Donner 2008] from those of U, of the reference's error, and of what both have in common.
+// Donner 2008] from those of U, of the reference's error, and of what both have in common. Measured
+// coverage is .96 to 1; but .87 with four replicates whose bins err together, and a bias as large
+// as the error.
 Measured relative_bias(const PairedSquare& pairs, std::size_t replicates,
                        const Yardstick& yardstick);
 

@@ -3,8 +3,9 @@
 // compare.json and compare.csv and by the report.
 //
 // With R replicates of a film x_r, a reference I whose standard error is e, and Σ over bins,
-//   relative MSE of a run   m_r = (Σ (x_r - I)² - Σ e²) / Σ I²    [the reference's error
-//   subtracted] relative RMSE           √(mean_r m_r)
+//   relative MSE of a run   m_r = (Σ (x_r - I)² - Σ e²) / Σ I²
+//   relative RMSE           √(mean_r m_r)
+// The reference's own error, Σ e², is subtracted.
 // Intervals hold 95 %: they are over replicates, and know that the reference has an error
 // (plausible.h, cells.h).  What is not known is NaN: every interval where there is one replicate,
 // and a bound beyond which nothing is excluded.
@@ -48,7 +49,8 @@ struct Cell {
 struct Curve {
   std::size_t contender = 0;
   Measured slope_time, slope_samples;  // of log relative_rmse over log seconds, log samples
-  bool inverse_root = false;           // the slope over log seconds is compatible with -1/2
+  // The slope over log seconds is compatible with -1/2: its interval holds it, or it is within 0.1.
+  bool inverse_root = false;
   // To the target error of the comparison.  Where the slope is compatible, relative RMSE at t
   // seconds = √(constant / t), of all cells together, up to 100 times the last budget.  Elsewhere
   // interpolated between the budgets, log over log: 0 if the first reaches it.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double farthest = 100;  // times the last budget, that a constant is believed
 constexpr double slope_of_unbiased = -0.5;
-constexpr double without_interval = 0.1;  // from it, that one replicate's slope may be
+constexpr double near_enough = 0.1;  // to it, whatever the interval
 
 // 1 / variance of log relative RMSE, of its draws; alike where nothing is known.
 double weight_of(const Point& point) {
@@ -78,8 +78,7 @@ Measured slope_over(const std::vector<Point>& points, const std::vector<double>&
 
 bool compatible(const Measured& slope) {
   if (std::isnan(slope.value)) return true;  // a single budget says nothing against it
-  if (std::isnan(slope.interval.low))
-    return std::abs(slope.value - slope_of_unbiased) <= without_interval;
+  if (std::abs(slope.value - slope_of_unbiased) <= near_enough) return true;
   return slope.interval.low <= slope_of_unbiased && slope_of_unbiased <= slope.interval.high;
 }
 
