@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tools/figure/style.h"
+#include "tools/wording.h"
 
 namespace wander::figure {
 namespace {
@@ -59,14 +60,6 @@ int common_exponent(double magnitude) {
 std::string with_minus_sign(std::string text) {
   if (!text.empty() && text[0] == '-') text.replace(0, 1, "−");
   return text;
-}
-
-std::string superscript(int value) {
-  constexpr std::string_view digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string result;
-  for (const char c : std::to_string(value))
-    result += c == '-' ? std::string_view("⁻") : digits[c - '0'];
-  return result;
 }
 
 std::string axis_title(const Quantity& quantity, double offset, int exponent) {
