@@ -80,7 +80,7 @@ ordered_json compare_runs(const RunRecord& run, const RunRecord& reference) {
   if (film.shape != expected.shape || film.value.size() != expected.value.size() ||
       film.value.empty())
     throw UsageError("the film and its reference have different shapes: nothing to compare");
-  const FilmComparison comparison = compare(film, expected);
+  const FilmComparison comparison = film_comparison(film, expected);
   return {{"reference",
            {{"method", reference.rendering.method},
             {"samples", reference.rendering.samples},

@@ -67,7 +67,7 @@ std::size_t reliable_bins(const FilmEstimate& film) {
   return static_cast<std::size_t>(std::count(film.reliable.begin(), film.reliable.end(), true));
 }
 
-FilmComparison compare(const FilmEstimate& film, const FilmEstimate& reference) {
+FilmComparison film_comparison(const FilmEstimate& film, const FilmEstimate& reference) {
   FilmComparison result;
   result.relative_rmse = relative_rmse(film, reference);
   std::size_t covered = 0, measured = 0;

@@ -23,7 +23,7 @@ struct FilmComparison {
   std::size_t bins = 0;        // that the last three are about: reliable in both films
 };
 // The films must have the same shape.
-FilmComparison compare(const FilmEstimate& film, const FilmEstimate& reference);
+FilmComparison film_comparison(const FilmEstimate& film, const FilmEstimate& reference);
 
 // The t with P(|T| <= t) = 0.95 for Student's distribution; below one degree of freedom, infinity.
 double student_t_95(double degrees_of_freedom);

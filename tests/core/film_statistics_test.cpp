@@ -83,7 +83,7 @@ TEST(FilmStatistics, StudentsQuantilesAreThoseOfTheTables) {
 TEST(FilmStatistics, AComparisonCountsTheErrorsOfBothFilms) {
   // Each difference is 5 combined errors of 0.05, or none.
   const FilmComparison comparison =
-      compare(film_of({1.25, 1, 1, 1}, 0.03), film_of({1, 1, 1, 1}, 0.04));
+      film_comparison(film_of({1.25, 1, 1, 1}, 0.03), film_of({1, 1, 1, 1}, 0.04));
   EXPECT_EQ(comparison.bins, 4U);
   EXPECT_DOUBLE_EQ(comparison.relative_rmse, 0.125);
   EXPECT_NEAR(comparison.chi2_per_degree, 25.0 / 4, 1e-12);
@@ -97,7 +97,7 @@ TEST(FilmStatistics, AComparisonCombinesTheDegreesOfFreedomOfBothFilms) {
   FilmEstimate film = film_of({1.105, 1.109}, 0.03), reference = film_of({1, 1}, 0.04);
   film.degrees_of_freedom = 2;
   reference.degrees_of_freedom = 100;
-  EXPECT_DOUBLE_EQ(compare(film, reference).covered_share, 0.5);
+  EXPECT_DOUBLE_EQ(film_comparison(film, reference).covered_share, 0.5);
 }
 
 TEST(FilmStatistics, ABinIsComparedOnlyWhereBothFilmsAreReliable) {
@@ -105,7 +105,7 @@ TEST(FilmStatistics, ABinIsComparedOnlyWhereBothFilmsAreReliable) {
   FilmEstimate reference = film_of({1, 1, 1}, 0.1);
   film.reliable[1] = false;
   reference.standard_error[2] = unknown;
-  const FilmComparison comparison = compare(film, reference);
+  const FilmComparison comparison = film_comparison(film, reference);
   EXPECT_EQ(comparison.bins, 1U);
   EXPECT_EQ(comparison.chi2_per_degree, 0);
 }

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/exact/visibility.h"
 #include "tests/support/generator.h"
 #include "tests/support/reference_values.h"
 
