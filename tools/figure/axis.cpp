@@ -130,11 +130,14 @@ Axis make_log_axis(const Quantity& quantity, Range domain, Range page) {
   Axis axis{{exponents, page}, {}, {}, axis_title(quantity, 0, 0)};
   const double decade = std::abs(page.width()) / exponents.width();
   const bool plain = domain.low >= 1e-3 && domain.high < 1e5;
+  // Upright, labels stand one over the other and need their height only.
+  const bool upright = page.low > page.high;
+  const double room = upright ? 32 : plain ? 70 : 120;
   for (int power = static_cast<int>(std::floor(exponents.low)); power <= exponents.high; ++power)
     for (const int mantissa : {1, 2, 5}) {
       const double tick = power + std::log10(mantissa);
       if (tick < exponents.low - slack || tick > exponents.high + slack) continue;
-      if (mantissa > 1 && decade < (plain ? 70 : 120)) continue;
+      if (mantissa > 1 && decade < room) continue;
       const std::string factor = mantissa > 1 ? fmt::format("{}·", mantissa) : "";
       axis.ticks.push_back(tick);
       axis.labels.push_back(plain ? fmt::format("{:g}", decimal(mantissa, power))

@@ -203,17 +203,24 @@ Layout lay_out(const Chart& chart, const std::vector<LegendEntry>& entries, doub
   return layout;
 }
 
-// Their labels stand one below the other, so that near ones stay legible.
+// Their labels stand one below the other, all on one side of their lines and in the order in which
+// no line crosses a label.
 void draw_vertical_guides(Svg& svg, const Chart& chart, const ChartAxis& x, double top,
                           double bottom) {
   const Range page = x.axis.scale.page;
-  for (const Guide& guide : chart.guides) {
+  std::vector<Guide> guides;
+  for (const Guide& guide : chart.guides)
+    if (x.shows(guide.at) && x(guide.at) >= page.low && x(guide.at) <= page.high)
+      guides.push_back(guide);
+  const bool right = std::ranges::all_of(guides, [&](const Guide& guide) {
+    return x(guide.at) + 3 + text_width(guide.label, style::small_size) <= page.high;
+  });
+  std::ranges::sort(guides, {}, &Guide::at);
+  if (!right) std::ranges::reverse(guides);
+  for (const Guide& guide : guides) {
     top += guide_row;
-    if (!x.shows(guide.at)) continue;
     const double at = x(guide.at);
-    if (at < page.low || at > page.high) continue;
     draw_guide(svg, {at, top - 6}, {at, bottom});
-    const bool right = at < (page.low + page.high) / 2;
     svg.text({at + (right ? 3 : -3), top - 1}, guide.label,
              {.size = style::small_size, .anchor = right ? "start" : "end"});
   }

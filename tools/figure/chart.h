@@ -37,7 +37,8 @@ struct Guide {
   std::string label{};
 };
 
-enum class Spacing { linear, logarithmic };
+// Whole: linear, with ticks at whole numbers only.
+enum class Spacing { linear, whole, logarithmic };
 
 // No range: what the points and guides need, with some room.
 struct Dimension {

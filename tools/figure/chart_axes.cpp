@@ -23,8 +23,9 @@ class Hull {
     include(interval->high);
   }
   Range with_room() const {
-    if (range_.low > range_.high) return spacing_ == Spacing::linear ? Range{0, 1} : Range{0.1, 1};
-    return spacing_ == Spacing::linear ? linear() : logarithmic();
+    if (range_.low > range_.high)
+      return spacing_ == Spacing::logarithmic ? Range{0.1, 1} : Range{0, 1};
+    return spacing_ == Spacing::logarithmic ? logarithmic() : linear();
   }
 
  private:
@@ -47,12 +48,12 @@ class Hull {
 }  // namespace
 
 bool ChartAxis::shows(double value) const {
-  return std::isfinite(value) && (spacing == Spacing::linear || value > 0);
+  return std::isfinite(value) && (spacing != Spacing::logarithmic || value > 0);
 }
 
 double ChartAxis::operator()(double value) const {
   constexpr double beyond = 20;
-  const double at = axis.scale(spacing == Spacing::linear ? value : std::log10(value));
+  const double at = axis.scale(spacing == Spacing::logarithmic ? std::log10(value) : value);
   const auto [low, high] = std::minmax(axis.scale.page.low, axis.scale.page.high);
   return std::clamp(at, low - beyond, high + beyond);
 }
@@ -85,10 +86,11 @@ Range y_range(const Chart& chart) {
 }
 
 ChartAxis chart_axis(const Dimension& dimension, Range range, Range page, int at_most_ticks) {
-  return {dimension.spacing == Spacing::linear
-              ? make_axis(dimension.quantity, range, page, at_most_ticks)
-              : make_log_axis(dimension.quantity, range, page),
-          dimension.spacing};
+  if (dimension.spacing == Spacing::logarithmic)
+    return {make_log_axis(dimension.quantity, range, page), dimension.spacing};
+  if (dimension.spacing == Spacing::whole)
+    at_most_ticks = std::min(at_most_ticks, static_cast<int>(range.width()) + 1);
+  return {make_axis(dimension.quantity, range, page, at_most_ticks), dimension.spacing};
 }
 
 }  // namespace wander::figure

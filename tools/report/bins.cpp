@@ -8,8 +8,8 @@
 namespace wander::report {
 namespace {
 
-double mean_of(std::span<const double> values, std::span<const double> weights, std::size_t first,
-               std::size_t end) {
+double mean_of(std::span<const double> values, std::span<const double> weights, double least_weight,
+               std::size_t first, std::size_t end) {
   double sum = 0, weight = 0;
   for (std::size_t k = first; k < end; ++k) {
     const double w = weights.empty() ? 1 : weights[k];
@@ -17,7 +17,7 @@ double mean_of(std::span<const double> values, std::span<const double> weights, 
     sum += w * values[k];
     weight += w;
   }
-  return weight > 0 ? sum / weight : not_known;
+  return weight > 0 && weight >= least_weight ? sum / weight : not_known;
 }
 
 }  // namespace
@@ -28,7 +28,8 @@ figure::Dimension film_dimension(const Subject& subject) {
 }
 
 std::vector<figure::Point> steps_over_film(const Subject& subject, std::span<const double> values,
-                                           std::span<const double> weights, std::size_t most) {
+                                           std::span<const double> weights, double least_weight,
+                                           std::size_t most) {
   const figure::Range extent = figure::film_axes(subject.scene).extent;
   const std::size_t bins = values.size();
   const std::size_t per_step = std::max<std::size_t>(1, (bins + most - 1) / most);
@@ -38,12 +39,17 @@ std::vector<figure::Point> steps_over_film(const Subject& subject, std::span<con
   std::vector<figure::Point> points;
   for (std::size_t first = 0; first < bins; first += per_step) {
     const std::size_t end = std::min(bins, first + per_step);
-    const double mean = mean_of(values, weights, first, end);
+    const double mean = mean_of(values, weights, least_weight, first, end);
     // Both ends of the step, so that it has its width even where a gap follows.
     points.push_back({.x = place(first), .y = mean});
     points.push_back({.x = place(end), .y = mean});
   }
   return points;
+}
+
+std::vector<figure::Point> steps_over_film(const Subject& subject, std::span<const double> values,
+                                           std::size_t most) {
+  return steps_over_film(subject, values, {}, 0, most);
 }
 
 }  // namespace wander::report

@@ -17,7 +17,7 @@ using compare::Comparison;
 using compare::Crossing;
 using compare::Measured;
 
-constexpr std::size_t most_crossings = 8;
+constexpr std::size_t most_crossings = 6;
 
 std::optional<figure::Range> range_of(const compare::Interval& interval, double unit = 1) {
   if (std::isnan(interval.low) || std::isnan(interval.high)) return std::nullopt;
@@ -109,7 +109,8 @@ std::string profile_figure(const Comparison& comparison) {
                           .marks = figure::Marks::each_point};
     for (std::size_t k = 0; k < profile.seconds.size(); ++k)
       if (std::isfinite(profile.seconds[k]))
-        series.points.push_back({.x = profile.seconds[k], .y = 100 * profile.share[k]});
+        series.points.push_back(
+            {.x = std::max(profile.seconds[k], range.low), .y = 100 * profile.share[k]});
     series.points.push_back({.x = range.high, .y = series.points.back().y});
     if (some) panel.series.push_back(std::move(series));
   }

@@ -38,6 +38,11 @@ std::string in_powers(double value) {
 
 std::string fixed(double value, int decimals) {
   if (!std::isfinite(value)) return unknown_number;
+  // Three digits are enough of a large number, too.
+  if (std::abs(value) >= 1000) {
+    const double unit = std::pow(10, std::floor(std::log10(std::abs(value))) - 2);
+    value = std::round(value / unit) * unit;
+  }
   return with_minus(fmt::format("{:.{}f}", value, decimals));
 }
 
@@ -55,7 +60,7 @@ std::optional<int> common_decimals(std::span<const double> values) {
   }
   if (greatest == 0) return 0;
   if (greatest > 1e3 * least) return std::nullopt;
-  const std::optional<int> decimals = decimals_for(least, greatest > 30 * least ? 2 : 3);
+  const std::optional<int> decimals = decimals_for(least, greatest > 3 * least ? 2 : 3);
   return greatest < 1e6 ? decimals : std::nullopt;
 }
 

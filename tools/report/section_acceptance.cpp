@@ -20,6 +20,7 @@ namespace {
 constexpr std::size_t most_steps = 200;
 // Of fewer proposals a mean says little.
 constexpr std::uint64_t fewest_proposals = 1000;
+constexpr double fewest_per_step = 100;
 
 // The mutations of all contenders, each once: the same look wherever it occurs.
 std::vector<std::string> mutations_of(const Subject& subject) {
@@ -56,6 +57,7 @@ void write_by_length(Html& html, const Subject& subject) {
     chart.panels.push_back(std::move(panel));
   }
   chart.x = {.quantity = {"vertices of the path, both ends counted", ""},
+             .spacing = figure::Spacing::whole,
              .range = figure::Range{1.8, longest + 0.2}};
   write_panels(
       html, chart, "Mean acceptance by path length",
@@ -75,17 +77,20 @@ void write_by_bin(Html& html, const Subject& subject) {
   for (const std::size_t k : chain_contenders(subject)) {
     figure::ChartPanel panel{.heading = subject.label(k), .empty_note = "no proposals"};
     for (const MutationRecord& mutation : subject.details(k)->mutations)
-      panel.series.push_back({.label = figure::spoken(mutation.name),
-                              .points = steps_over_film(subject, mutation.acceptance_per_bin,
-                                                        mutation.proposed_per_bin, most_steps),
-                              .look = look_of(names, mutation.name),
-                              .marks = figure::Marks::none});
+      panel.series.push_back(
+          {.label = figure::spoken(mutation.name),
+           .points = steps_over_film(subject, mutation.acceptance_per_bin,
+                                     mutation.proposed_per_bin, fewest_per_step, most_steps),
+           .look = look_of(names, mutation.name),
+           .marks = figure::Marks::none});
     chart.panels.push_back(std::move(panel));
   }
-  write_panels(html, chart, "Mean acceptance over the film",
-               "The mean acceptance of each mutation against the position on the film.",
-               "Mean acceptance of the proposals that were made while the path met the film there. "
-               "A dip is a place that chains enter and leave seldom.");
+  write_panels(
+      html, chart, "Mean acceptance over the film",
+      "The mean acceptance of each mutation against the position on the film.",
+      "Mean acceptance of the proposals that were made while the path met the film there. "
+      "Places with fewer than 100 proposals are left out. A dip is a place that chains enter "
+      "and leave seldom.");
 }
 
 std::string microseconds(const MutationRecord& mutation) {

@@ -43,6 +43,7 @@ void write_chart(Html& html, const Subject& subject, const Energies& energies) {
       html,
       chart_document(
           {.x = {.quantity = {"vertices of the path, both ends counted", ""},
+                 .spacing = figure::Spacing::whole,
                  .range = figure::Range{*lengths.begin() - 0.5, *lengths.rbegin() + 0.5}},
            .y = {.quantity = {"mean over the film", subject.is_flat() ? "W/m" : "W/m²"},
                  .spacing = figure::Spacing::logarithmic},

@@ -68,15 +68,10 @@ void write_slopes(Html& html, const Subject& subject) {
   }
   Table table = named_rows("Slopes of log error over log cost; independent samples have −1/2.",
                            "contender", names);
-  const auto add = [&](const std::string& heading, const std::vector<Measured>& column) {
-    const MeasuredColumn cells = aligned(column);
-    table.add_column({heading}, cells.values);
-    table.add_column({"95 %", Kind::words}, cells.intervals);
-  };
-  add("against time", time);
-  add("against samples", samples);
+  table.add_measured("against time", time);
+  table.add_measured("against samples", samples);
   if (subject.comparison.target > 0)
-    add(fmt::format("time to {}, s", percent(subject.comparison.target)), target);
+    table.add_measured(fmt::format("time to {}, s", percent(subject.comparison.target)), target);
   table.add_column({"the slope against time", Kind::words}, words);
   write_table(html, table);
 }

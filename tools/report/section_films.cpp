@@ -68,7 +68,7 @@ void write_distances(Html& html, const Subject& subject) {
     reliable.push_back(fmt::format("{} of {}", reliable_bins(film), film.value.size()));
     const bool comparable = reference.shape == film.shape;
     const FilmComparison found =
-        comparable ? compare(film, reference)
+        comparable ? film_comparison(film, reference)
                    : FilmComparison{not_known, not_known, not_known, not_known, 0};
     seen.push_back(100 * found.relative_rmse);
     chi2.push_back(found.chi2_per_degree);

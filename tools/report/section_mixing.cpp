@@ -46,11 +46,12 @@ std::vector<figure::IntervalGroup> groups_of(const Subject& subject) {
 void write_times(Html& html, const Subject& subject) {
   const std::vector<figure::IntervalGroup> groups = groups_of(subject);
   if (groups.empty()) return;
-  const figure::Block block = figure::interval_block(
-      {.x = {.quantity = {"integrated autocorrelation time", "mutations of one chain"},
-             .spacing = figure::Spacing::logarithmic},
-       .groups = groups},
-      figure::block_width(figure_width));
+  figure::IntervalRows rows;
+  rows.x.quantity = {"integrated autocorrelation time", "mutations of one chain"};
+  rows.x.spacing = figure::Spacing::logarithmic;
+  rows.groups = groups;
+  const figure::Block block =
+      figure::interval_block(std::move(rows), figure::block_width(figure_width));
   write_figure(
       html,
       figure::page("Integrated autocorrelation times",

@@ -20,8 +20,9 @@ constexpr int columns = 128;
 
 void write_fluence(Html& html, const Subject& subject) {
   const PlaneGrid grid = figure::grid_over(subject.scene, columns);
-  const Rendering picture =
-      estimate_fluence(subject.scene, grid, {.budget = SampleBudget{walks}, .seed = 1});
+  Session session;
+  session.budget = SampleBudget{walks};
+  const Rendering picture = estimate_fluence(subject.scene, grid, session);
   write_figure(
       html, figure::fluence_figure(subject.scene, grid, picture, subject.scene.name),
       fmt::format("The scene and its fluence, the radiance integrated over all directions at each "

@@ -24,13 +24,13 @@ figure::ChartPanel seeds_panel(const Subject& subject, std::size_t contender, st
   const std::string_view colour = figure::style::films[0].colour;
   for (const Run* run : subject.replicates(contender))
     panel.series.push_back({.label = "one replicate",
-                            .points = steps_over_film(subject, run->film.value, {}, steps),
+                            .points = steps_over_film(subject, run->film.value, steps),
                             .look = {.stroke = {colour, "none"}},
                             .marks = figure::Marks::none,
                             .width = thin});
   if (const FilmEstimate& reference = subject.runs().reference.film; !reference.value.empty())
     panel.series.push_back({.label = "reference",
-                            .points = steps_over_film(subject, reference.value, {}, steps),
+                            .points = steps_over_film(subject, reference.value, steps),
                             .look = {.stroke = {figure::style::ink, "none"}},
                             .marks = figure::Marks::none,
                             .width = 0.8});
@@ -78,7 +78,7 @@ void write_ratios(Html& html, const Subject& subject, const std::vector<SeedSpre
       panel.guides = {{1, ""}};
     }
     panel.series.push_back({.label = "",
-                            .points = steps_over_film(subject, spreads[k].ratio, {}, most_steps),
+                            .points = steps_over_film(subject, spreads[k].ratio, most_steps),
                             .look = {.stroke = {figure::style::films[0].colour, "none"}},
                             .marks = figure::Marks::none});
     chart.panels.push_back(std::move(panel));
@@ -106,7 +106,7 @@ void write_spread_table(Html& html, const Subject& subject,
   Table table = named_rows("Spread between seeds over claimed standard error, at the last budget.",
                            "contender", subject.labels());
   table.add_column({"all bins together"}, aligned(pooled));
-  table.add_column({"95 % of bins expected in", Kind::words}, expected);
+  table.add_column({"95 % of bins expected in", Kind::interval}, expected);
   table.add_column({"bins outside"}, beyond);
   write_table(html, table);
 }

@@ -61,13 +61,11 @@ void write_warnings(Html& html, const std::vector<std::string>& warnings) {
   write_list(html, warnings, "warnings");
 }
 
-void add_measured(Table& table, const std::vector<Cell>& cells, compare::Measured Cell::*what,
-                  const std::string& heading, double unit = 1) {
+std::vector<compare::Measured> column_of(const std::vector<Cell>& cells,
+                                         compare::Measured Cell::*what) {
   std::vector<compare::Measured> column;
   for (const Cell& cell : cells) column.push_back(cell.*what);
-  const MeasuredColumn text = aligned(column, unit);
-  table.add_column({heading}, text.values);
-  table.add_column({"95 %", Kind::words}, text.intervals);
+  return column;
 }
 
 // Of each contender that reached it, in the order of the ranking.
@@ -94,10 +92,10 @@ void write_numbers(Html& html, const Subject& subject) {
                   "relative root mean squares over replicates.",
                   subject.runs().budgets.back(), counted(subject.runs().replicates, "replicate")),
       "contender", names);
-  add_measured(table, cells, &Cell::relative_rmse, "error, %", 100);
-  add_measured(table, cells, &Cell::bias, "of which bias, %", 100);
+  table.add_measured("error, %", column_of(cells, &Cell::relative_rmse), 100);
+  table.add_measured("of which bias, %", column_of(cells, &Cell::bias), 100);
   table.add_column({"time, s"}, aligned(seconds));
-  add_measured(table, cells, &Cell::efficiency, "1 / (error² · time), 1/s");
+  table.add_measured("1 / (error² · time), 1/s", column_of(cells, &Cell::efficiency));
   table.add_column({"95 % bars that hold, % of bins"}, coverage);
   write_table(html, table);
 }

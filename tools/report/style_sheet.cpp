@@ -38,16 +38,17 @@ nav ol { columns: 2; padding-left: 1.5rem; margin: 1rem 0; }
 figure { margin: 1.5rem 0; }
 figure svg { display: block; width: 100%; height: auto; }
 .picture svg { max-width: 36rem; }
-figcaption, caption { color: var(--soft); font-size: 0.9rem; line-height: 1.4; text-align: left; }
+figcaption, .caption { color: var(--soft); font-size: 0.9rem; line-height: 1.4; text-align: left; }
 figcaption { margin-top: 0.4rem; max-width: 44rem; }
-caption { padding-bottom: 0.4rem; }
-.table { overflow-x: auto; margin: 1.25rem 0; }
+.caption { margin: 1.5rem 0 0.4rem; }
+.table { overflow-x: auto; margin: 0 0 1.5rem; }
 table { border-collapse: collapse; font-size: 0.875rem; line-height: 1.35;
   font-variant-numeric: tabular-nums lining-nums; }
 th, td { padding: 0.25rem 0.75rem 0.25rem 0; text-align: left; vertical-align: baseline;
   border-bottom: 1px solid var(--line); }
-thead th { vertical-align: bottom; border-bottom: 2px solid var(--ink); }
-.number { text-align: right; white-space: nowrap; }
+thead th { vertical-align: bottom; border-bottom: 2px solid var(--ink); max-width: 9rem; }
+.number { text-align: right; }
+td.number, td.interval { white-space: nowrap; }
 th[scope="row"] { font-weight: 600; }
 details { margin: 1rem 0; }
 summary { cursor: pointer; color: var(--link); }
@@ -75,7 +76,7 @@ constexpr std::string_view print = R"(
     --tint: #ffffff; --link: #000000; --warn: #000000; --warn-tint: #ffffff; }
   body { max-width: none; padding: 0; font-size: 10pt; }
   nav, .skip { display: none; }
-  h2, h3, caption { break-after: avoid; }
+  h2, h3, .caption { break-after: avoid; }
   figure, tr, .warning { break-inside: avoid; }
   figure svg { max-height: 215mm; }
   .table, pre { overflow: visible; }

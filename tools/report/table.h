@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "tools/report/html.h"
+#include "tools/report/numbers.h"
 
 namespace wander::report {
 
-enum class Kind { number, words };
+// Intervals stand on one line, as numbers do, but begin at the left, as words do.
+enum class Kind { number, words, interval };
 
 struct Heading {
   std::string text;  // with the unit
@@ -23,6 +25,9 @@ struct Table {
 
   // A column beside those that are there, one cell for each row.
   void add_column(Heading heading, const std::vector<std::string>& cells);
+  // Values, times `unit`, and their intervals; left out where nothing is known.
+  void add_measured(const std::string& heading, const std::vector<compare::Measured>& column,
+                    double unit = 1);
 };
 
 // A table whose rows are named, before its columns.
