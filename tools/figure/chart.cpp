@@ -20,7 +20,7 @@ struct Frame {
 };
 
 std::string define_clip(Svg& svg, const Frame& frame) {
-  constexpr double room = 4;  // for marks at the edge
+  constexpr double room = 3;  // for marks at the edge
   const Range x = frame.x.axis.scale.page, y = frame.y.axis.scale.page;
   const std::string id =
       fmt::format("clip-{}-{}-{}", number(x.low), number(y.high), number(x.width()));
@@ -33,21 +33,30 @@ std::string define_clip(Svg& svg, const Frame& frame) {
   return id;
 }
 
-void draw_line(Svg& svg, const Series& series, const Frame& frame) {
-  if (series.connection == Connection::none) return;
+std::string path_data(const Series& series, const Frame& frame) {
+  const bool stairs = series.connection != Connection::line;
+  const Range x = frame.x.axis.scale.page;
   std::string data;
-  bool drawing = false;
+  bool drawing = series.connection == Connection::distribution;
+  if (drawing) data = "M" + coordinates({x.low, frame.y(0)});
   for (const Point& point : series.points) {
     const bool shown = frame.x.shows(point.x) && frame.y.shows(point.y);
     if (shown) {
       const Vector at{frame.x(point.x), frame.y(point.y)};
-      if (drawing && series.connection == Connection::staircase)
+      if (drawing && stairs)
         data += "H" + number(at.x) + "V" + number(at.y);
       else
         data += (drawing ? "L" : "M") + coordinates(at);
     }
     drawing = shown;
   }
+  if (series.connection == Connection::distribution) data += "H" + number(x.high);
+  return data;
+}
+
+void draw_line(Svg& svg, const Series& series, const Frame& frame) {
+  if (series.connection == Connection::none) return;
+  const std::string data = path_data(series, frame);
   if (data.empty()) return;
   svg.path(data, {{"stroke", series.look.stroke.colour},
                   {"stroke-width", series.width},
@@ -124,7 +133,7 @@ void draw_level(Svg& svg, const Frame& frame, const Guide& guide) {
   const Range x = frame.x.axis.scale.page;
   const double y = frame.y(guide.at);
   draw_guide(svg, {x.low, y}, {x.high, y});
-  svg.text({x.high, y - 2.5}, guide.label, {.size = style::small_size, .anchor = "end"});
+  svg.text({x.low + 4, y - 2.5}, guide.label, {.size = style::small_size});
 }
 
 bool is_empty(const ChartPanel& panel, const Frame& frame) {

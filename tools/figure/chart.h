@@ -18,8 +18,9 @@ struct Point {
   std::optional<Range> x_interval{}, y_interval{};
 };
 
-// A staircase keeps the height of a point up to the next.
-enum class Connection { none, line, staircase };
+// A staircase keeps the height of a point up to the next.  A distribution is one that comes from
+// zero at the left end of the axis, and goes on to its right end.
+enum class Connection { none, line, staircase, distribution };
 enum class Marks { none, each_point };
 
 struct Series {

@@ -60,8 +60,9 @@ void write_bars(Html& html, const Subject& subject, const std::vector<std::size_
   for (std::size_t first = 0; first < contenders.size(); first += bars_per_figure) {
     std::vector<figure::ShareBar> bars;
     for (std::size_t k = first; k < std::min(contenders.size(), first + bars_per_figure); ++k)
-      bars.push_back(
-          {subject.label(contenders[k]), counted(all[k].size(), "class"), folded(all[k], classes)});
+      bars.push_back({subject.label(contenders[k]),
+                      fmt::format("{} class{}", all[k].size(), all[k].size() == 1 ? "" : "es"),
+                      folded(all[k], classes)});
     write_figure(
         html,
         figure::page(

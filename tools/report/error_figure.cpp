@@ -20,7 +20,7 @@ using compare::Measured;
 constexpr std::size_t most_crossings = 6;
 
 std::optional<figure::Range> range_of(const compare::Interval& interval, double unit = 1) {
-  if (std::isnan(interval.low) || std::isnan(interval.high)) return std::nullopt;
+  if (std::isnan(interval.low) && std::isnan(interval.high)) return std::nullopt;
   return figure::Range{unit * interval.low, unit * interval.high};
 }
 
@@ -98,21 +98,17 @@ std::string profile_figure(const Comparison& comparison) {
         longest = std::max(longest, seconds);
         shortest = std::min(shortest, seconds);
       }
-  const bool some = longest > 0;
   const figure::Range range =
-      some ? figure::Range{shortest / 3, longest * 3} : figure::Range{0.1, 10};
+      longest > 0 ? figure::Range{shortest / 3, longest * 3} : figure::Range{0.1, 10};
   for (const compare::Profile& profile : comparison.profiles) {
     figure::Series series{.label = comparison.runs.contenders[profile.contender].label,
-                          .points = {{.x = range.low, .y = 0}},
                           .look = figure::look_of(profile.contender),
-                          .connection = figure::Connection::staircase,
-                          .marks = figure::Marks::each_point};
+                          .connection = figure::Connection::distribution};
     for (std::size_t k = 0; k < profile.seconds.size(); ++k)
       if (std::isfinite(profile.seconds[k]))
         series.points.push_back(
             {.x = std::max(profile.seconds[k], range.low), .y = 100 * profile.share[k]});
-    series.points.push_back({.x = range.high, .y = series.points.back().y});
-    if (some) panel.series.push_back(std::move(series));
+    panel.series.push_back(std::move(series));
   }
   return chart_document(
       {.x = {.quantity = {"time", "s"}, .spacing = figure::Spacing::logarithmic, .range = range},

@@ -46,8 +46,9 @@ std::string fixed(double value, int decimals) {
   return with_minus(fmt::format("{:.{}f}", value, decimals));
 }
 
+// One bound is enough; the other may exclude nothing.
 bool is_known(const Interval& interval) {
-  return !std::isnan(interval.low) && !std::isnan(interval.high);
+  return !std::isnan(interval.low) || !std::isnan(interval.high);
 }
 
 // The decimals that show the least of the numbers with two digits and the greatest with few.
@@ -67,6 +68,7 @@ std::optional<int> common_decimals(std::span<const double> values) {
 std::string in_brackets(const Interval& interval, std::optional<int> decimals) {
   if (!is_known(interval)) return "";
   const auto end = [&](double value) {
+    if (std::isnan(value)) return std::string("?");
     if (std::isinf(value)) return std::string(value < 0 ? "−∞" : "∞");
     return decimals ? fixed(value, *decimals) : rounded(value);
   };
@@ -85,10 +87,15 @@ std::string rounded(const Interval& interval) { return in_brackets(interval, std
 
 std::string with_interval(const Measured& measured) {
   if (!std::isfinite(measured.value)) return unknown_number;
-  const std::optional<int> decimals = decimals_for(measured.value, 3);
-  std::string text = rounded(measured.value);
-  if (is_known(measured.interval)) text += " " + in_brackets(measured.interval, decimals);
-  return text;
+  if (!is_known(measured.interval)) return rounded(measured.value);
+  // Enough digits to tell the ends apart, where they are near the value.
+  const double width = measured.interval.high - measured.interval.low;
+  std::optional<int> decimals = decimals_for(measured.value, 3);
+  if (const auto finer = width > 0 && std::isfinite(width) ? decimals_for(width, 2) : std::nullopt;
+      decimals && finer && measured.value != 0)
+    decimals = std::max(*decimals, *finer);
+  const std::string value = decimals ? fixed(measured.value, *decimals) : rounded(measured.value);
+  return value + " " + in_brackets(measured.interval, decimals);
 }
 
 std::vector<std::string> aligned(std::span<const double> values) {

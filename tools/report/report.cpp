@@ -31,8 +31,12 @@ constexpr std::array<Section, 10> sections{
      {"provenance", "Provenance: how to repeat every run", report::write_provenance}}};
 
 std::string title_of(const Subject& subject) {
-  return fmt::format("{}: {} compared", subject.scene.name.empty() ? "a scene" : subject.scene.name,
-                     report::listed(subject.labels()));
+  constexpr std::size_t most_names = 4;
+  const std::string scene = subject.scene.name.empty() ? "a scene" : subject.scene.name;
+  return fmt::format("{}: {} compared", scene,
+                     subject.contenders() <= most_names
+                         ? report::listed(subject.labels())
+                         : report::counted(subject.contenders(), "contender"));
 }
 
 // What the browser may load: nothing but the style of this page.

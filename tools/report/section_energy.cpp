@@ -29,7 +29,9 @@ void write_chart(Html& html, const Subject& subject, const Energies& energies) {
   const auto count = static_cast<double>(energies.size());
   figure::ChartPanel panel{.empty_note = "no light"};
   for (std::size_t k = 0; k < energies.size(); ++k) {
-    figure::Series series{.label = subject.label(k), .look = figure::look_of(k)};
+    figure::Series series{.label = subject.label(k),
+                          .look = figure::look_of(k),
+                          .connection = figure::Connection::none};
     for (const auto& [vertices, light] : energies[k]) {
       figure::Point point{.x = vertices + 0.5 * ((static_cast<double>(k) + 0.5) / count - 0.5),
                           .y = light.value};

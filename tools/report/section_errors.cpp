@@ -42,13 +42,11 @@ void write_curves(Html& html, const Subject& subject) {
                  {{"class", "note"}});
 }
 
-std::string reading(const Measured& slope) {
-  const bool known = std::isfinite(slope.value) && !std::isnan(slope.interval.low) &&
-                     !std::isnan(slope.interval.high);
-  if (!known) return "not known";
-  if (slope.interval.low > -0.5) return "flatter than −1/2: a bias, or chains that mix slowly";
-  if (slope.interval.high < -0.5) return "steeper than −1/2: a start that wears off";
-  return "does not differ significantly from −1/2";
+std::string reading(const Curve& curve) {
+  if (!std::isfinite(curve.slope_time.value)) return "not known";
+  if (curve.inverse_root) return "does not differ significantly from −1/2";
+  return curve.slope_time.value > -0.5 ? "flatter than −1/2: a bias, or chains that mix slowly"
+                                       : "steeper than −1/2: a start that wears off";
 }
 
 void write_slopes(Html& html, const Subject& subject) {
@@ -64,7 +62,7 @@ void write_slopes(Html& html, const Subject& subject) {
     time.push_back(curve.slope_time);
     samples.push_back(curve.slope_samples);
     target.push_back(curve.seconds_to_target);
-    words.push_back(reading(curve.slope_time));
+    words.push_back(reading(curve));
   }
   Table table = named_rows("Slopes of log error over log cost; independent samples have −1/2.",
                            "contender", names);
@@ -79,25 +77,35 @@ void write_slopes(Html& html, const Subject& subject) {
 std::string in_words(const Subject& subject, const Crossing& crossing) {
   const std::string &ahead = subject.label(crossing.ahead),
                     &behind = subject.label(crossing.behind);
+  const std::string chance = std::isfinite(crossing.p_value)
+                                 ? fmt::format(" (p = {:.2g})", crossing.p_value)
+                                 : std::string();
   if (!crossing.significant)
-    return fmt::format("{} and {}: no significant difference at the last budget.", ahead, behind);
+    return fmt::format("{} and {}: not significant{}.", ahead, behind, chance);
   std::string text = fmt::format("{} is ahead of {}", ahead, behind);
   if (crossing.seconds.value > 0) {
     text += fmt::format(" from {} on", duration_in_words(crossing.seconds.value));
     if (const std::string interval = rounded(crossing.seconds.interval); !interval.empty())
-      text += fmt::format(" (95 %: {} s)", interval);
+      text += fmt::format(", 95 %: {} s", interval);
   } else if (crossing.seconds.value == 0) {
     text += " from the first budget on";
   }
+  text += chance;
   if (std::isfinite(crossing.speedup.value))
-    text += fmt::format("; at the last budget its mean square error is smaller by a factor of {}",
+    text += fmt::format("; its mean square error is {} times as small",
                         with_interval(crossing.speedup));
+  if (std::isfinite(crossing.efficiency.value))
+    text += fmt::format(", {} times at equal time", with_interval(crossing.efficiency));
   return text + ".";
 }
 
 void write_crossings(Html& html, const Subject& subject) {
   if (subject.comparison.crossings.empty()) return;
   html.element("h3", "Who is ahead, and from when on");
+  html.element("p",
+               fmt::format("At budget {}, with p-values corrected for all pairs; below 0.05 counts "
+                           "as significant.",
+                           subject.runs().budgets[subject.comparison.decisive]));
   const auto list = html.open("ul");
   for (const Crossing& crossing : subject.comparison.crossings)
     html.element("li", in_words(subject, crossing));

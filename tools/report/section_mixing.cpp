@@ -27,6 +27,15 @@ bool is_measured(const FunctionalRecord& functional) {
   return std::isfinite(functional.autocorrelation_time);
 }
 
+// Draws so many steps apart tell of no shorter time.
+std::string time_in_words(const FunctionalRecord& functional, const ChainsRecord& record) {
+  if (!is_measured(functional)) return unknown_number;
+  const auto stride = static_cast<double>(record.stride);
+  if (record.stride > 1 && functional.autocorrelation_time <= stride)
+    return "≤ " + count_in_words(stride);
+  return count_in_words(functional.autocorrelation_time);
+}
+
 std::vector<figure::IntervalGroup> groups_of(const Subject& subject) {
   std::vector<figure::IntervalGroup> groups;
   for (const std::size_t k : recorded_contenders(subject))
@@ -35,10 +44,11 @@ std::vector<figure::IntervalGroup> groups_of(const Subject& subject) {
       const std::string heading = figure::spoken(functional.name);
       auto group = std::ranges::find(groups, heading, &figure::IntervalGroup::heading);
       if (group == groups.end()) group = groups.insert(groups.end(), {heading, {}});
-      group->rows.push_back({.label = subject.label(k),
-                             .value = functional.autocorrelation_time,
-                             .look = figure::look_of(k),
-                             .note = count_in_words(functional.autocorrelation_time)});
+      group->rows.push_back(
+          {.label = subject.label(k),
+           .value = functional.autocorrelation_time,
+           .look = figure::look_of(k),
+           .note = time_in_words(functional, *subject.details(k)->chains_record)});
     }
   return groups;
 }
@@ -62,7 +72,7 @@ void write_times(Html& html, const Subject& subject) {
       "on the film, the logarithm of the contribution f, and the numbers of vertices and "
       "of specular vertices. Farther left mixes faster, per mutation; a mutation of one "
       "method may cost more time than one of another. A functional with large times is what "
-      "limits the run.");
+      "limits the run. Times marked ≤ are shorter than the draws are apart.");
 }
 
 void write_functionals(Html& html, const Subject& subject) {
@@ -78,7 +88,7 @@ void write_functionals(Html& html, const Subject& subject) {
       bulk.push_back(count(functional.ess_bulk));
       tail.push_back(count(functional.ess_tail));
       rate.push_back(count(functional.ess_bulk / details.seconds));
-      times.push_back(count(functional.autocorrelation_time));
+      times.push_back(time_in_words(functional, *details.chains_record));
     }
   }
   Table table = named_rows(
@@ -115,6 +125,16 @@ void write_rejections(Html& html, const Subject& subject) {
   write_table(html, table);
 }
 
+void write_unrecorded(Html& html, const Subject& subject) {
+  std::vector<std::string> names;
+  for (const std::size_t k : chain_contenders(subject))
+    if (!subject.details(k)->chains_record) names.push_back(subject.label(k));
+  if (!names.empty())
+    html.element("p",
+                 fmt::format("Not known: no draws of the chains of {} are kept.", listed(names)),
+                 {{"class", "note"}});
+}
+
 }  // namespace
 
 void write_mixing(Html& html, const Subject& subject) {
@@ -126,6 +146,7 @@ void write_mixing(Html& html, const Subject& subject) {
   write_times(html, subject);
   write_functionals(html, subject);
   write_rejections(html, subject);
+  write_unrecorded(html, subject);
   html.element("p",
                "Not significant: autocorrelation times come from one replicate and carry no "
                "interval; times that differ by less than about a third are as good as equal.",

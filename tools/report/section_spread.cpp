@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tools/figure/film_series.h"
+#include "tools/figure/share_bars.h"
 #include "tools/report/bins.h"
 #include "tools/report/chart_pages.h"
 #include "tools/report/numbers.h"
@@ -37,14 +38,40 @@ figure::ChartPanel seeds_panel(const Subject& subject, std::size_t contender, st
   return panel;
 }
 
-// Fireflies are cut: the axis is that of a film figure of the same films.
-figure::Range film_range(const Subject& subject) {
-  const figure::Range extent = figure::film_axes(subject.scene).extent;
-  std::vector<std::vector<figure::Bar>> films;
+// All finite values of the films that are drawn, ascending.
+std::vector<double> drawn_values(const Subject& subject) {
+  std::vector<double> values = subject.runs().reference.film.value;
   for (std::size_t k = 0; k < subject.contenders(); ++k)
     for (const Run* run : subject.replicates(k))
-      films.push_back(figure::bars_of(run->film, extent));
-  return figure::value_range(films, figure::bars_of(subject.runs().reference.film, extent));
+      values.insert(values.end(), run->film.value.begin(), run->film.value.end());
+  std::erase_if(values, [](double value) { return !std::isfinite(value); });
+  std::ranges::sort(values);
+  return values;
+}
+
+double quantile(const std::vector<double>& ascending, double share) {
+  return ascending[static_cast<std::size_t>(share * static_cast<double>(ascending.size() - 1))];
+}
+
+// Few values, such as fireflies, may lie beyond the axis; it is logarithmic where a peak would
+// press all the rest to the ground.
+figure::Dimension value_dimension(const Subject& subject) {
+  constexpr double beyond = 0.003, steep = 20, most_range = 1e4;
+  figure::Dimension dimension{.quantity = figure::film_axes(subject.scene).value};
+  std::vector<double> values = drawn_values(subject);
+  if (values.empty()) return dimension;
+  const double low = quantile(values, beyond), high = quantile(values, 1 - beyond);
+  std::erase_if(values, [](double value) { return !(value > 0); });
+  if (!values.empty() && high > steep * quantile(values, 0.5)) {
+    dimension.spacing = figure::Spacing::logarithmic;
+    dimension.range =
+        figure::Range{std::max(0.7 * quantile(values, beyond), high / most_range), 1.3 * high};
+    return dimension;
+  }
+  const bool near_zero = low >= 0 && low < 0.6 * high;
+  const double room = 0.05 * (high - (near_zero ? 0 : low));
+  dimension.range = figure::usable({near_zero ? 0 : low - room, high + room});
+  return dimension;
 }
 
 void write_seeds(Html& html, const Subject& subject) {
@@ -53,23 +80,37 @@ void write_seeds(Html& html, const Subject& subject) {
   const std::size_t steps =
       std::clamp<std::size_t>(most_points / std::max<std::size_t>(1, lines), 40, most_steps);
   figure::Chart chart{
-      .x = film_dimension(subject),
-      .y = {.quantity = figure::film_axes(subject.scene).value, .range = film_range(subject)},
-      .panel_height = 70};
+      .x = film_dimension(subject), .y = value_dimension(subject), .panel_height = 70};
   for (std::size_t k = 0; k < subject.contenders(); ++k)
     chart.panels.push_back(seeds_panel(subject, k, steps));
   write_panels(html, chart, "All replicates at the last budget",
                "The film of every seed of each contender, one over the other, with the reference.",
                "Every replicate of each contender as a thin line, the reference as a thick one. "
                "Lines that fan out are noise; lines that go together but leave the reference are "
-               "bias; one line apart from the rest is a run that has missed something.");
+               "bias; one line apart from the rest is a run that has missed something." +
+                   std::string(chart.y.spacing == figure::Spacing::logarithmic
+                                   ? " The axis is logarithmic, and what is dark is left out."
+                                   : ""));
+}
+
+// Replicates that happen to agree in a bin have a ratio near zero, which nobody needs to see.
+figure::Range ratio_range(const std::vector<SeedSpread>& spreads) {
+  double low = 1, high = 1;
+  for (const SeedSpread& spread : spreads)
+    for (const double ratio : spread.ratio)
+      if (ratio > 0) {
+        low = std::min(low, ratio);
+        high = std::max(high, ratio);
+      }
+  return {0.8 * std::clamp(low, 0.1, 0.4), 1.25 * std::clamp(high, 2.5, 100.)};
 }
 
 void write_ratios(Html& html, const Subject& subject, const std::vector<SeedSpread>& spreads) {
-  figure::Chart chart{
-      .x = film_dimension(subject),
-      .y = {.quantity = {"spread / claimed", ""}, .spacing = figure::Spacing::logarithmic},
-      .panel_height = 62};
+  figure::Chart chart{.x = film_dimension(subject),
+                      .y = {.quantity = {"spread / claimed", ""},
+                            .spacing = figure::Spacing::logarithmic,
+                            .range = ratio_range(spreads)},
+                      .panel_height = 62};
   for (std::size_t k = 0; k < spreads.size(); ++k) {
     figure::ChartPanel panel{.heading = subject.label(k),
                              .empty_note = "not known: fewer than two replicates claim errors"};
@@ -154,7 +195,7 @@ void write_r_hat(Html& html, const Subject& subject) {
   for (const std::string& functional : functionals) {
     std::vector<std::string> cells;
     for (const Rendering* details : records) cells.push_back(r_hat_of(*details, functional));
-    table.add_column({functional}, cells);
+    table.add_column({figure::spoken(functional)}, cells);
   }
   html.element("h3", "Chains within a run: R-hat");
   write_table(html, table);

@@ -82,6 +82,8 @@ constexpr std::string_view print = R"(
   .table, pre { overflow: visible; }
   table { font-size: 8pt; }
   th, td { padding-right: 1.5mm; }
+  details table { font-size: 6.5pt; }
+  details td.number, details td.interval { white-space: normal; }
   pre { white-space: pre-wrap; overflow-wrap: anywhere; font-size: 7.5pt; }
   details::details-content { content-visibility: visible; display: block; height: auto; }
   summary { list-style: none; }
@@ -97,10 +99,10 @@ constexpr std::array nights{
     Night{style::faint, "#3b3f45"}, Night{style::light, "#ff7a70"}, Night{style::sensor, "#63b3ed"},
     Night{style::glass, "#243038"}, Night{style::glass_mark, "#8fb0c2"},
     Night{style::neutral.colour, "#9a9a9a"}, Night{style::accepted.colour, "#5b9bd8"},
-    Night{style::rejected.colour, "#f09a3a"}, Night{style::films[0].colour, "#4fb0ea"},
+    Night{style::rejected.colour, "#f09a3a"}, Night{style::films[0].colour, "#3d97dd"},
     Night{style::films[1].colour, "#ff8b4a"}, Night{style::films[2].colour, "#34cfa0"},
     Night{style::films[3].colour, "#e79cc4"}, Night{style::films[4].colour, "#f2b632"},
-    Night{style::films[6].colour, "#c9a45c"},
+    Night{style::films[5].colour, "#a8dcff"}, Night{style::films[6].colour, "#c9a45c"},
     // The grounds and the marks of hatches.
     Night{"#fdebd3", "#4a3517"}, Night{"#e9e9e9", "#35393e"}, Night{"#efefef", "#2b2f34"},
     Night{"#f4f4f4", "#25282d"}, Night{"#5a5a5a", "#b4b4b4"}, Night{"#8c8c8c", "#a0a0a0"},
