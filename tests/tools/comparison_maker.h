@@ -17,7 +17,7 @@ namespace wander::test {
 struct ComparisonPlan {
   std::string scene = "gallery:article-1";
   std::vector<std::string> methods{"mlt", "bdpt"};
-  std::vector<std::uint64_t> budgets{20'000, 40'000};  // samples
+  std::vector<std::uint64_t> budgets{10'000, 20'000};  // samples
   std::size_t replicates = 3;
 };
 
@@ -45,7 +45,7 @@ inline compare::Comparison make_comparison(const ComparisonPlan& plan) {
             {c, b, r, run.seed, run.samples, run.seconds, run.seed_seconds, 0, run.film});
         if (b + 1 == plan.budgets.size() && r == 0) runs.details.push_back(std::move(run));
       }
-  session.budget = SampleBudget{20 * plan.budgets.back()};
+  session.budget = SampleBudget{5 * plan.budgets.back()};
   runs.reference = {render(document.scene, "bdpt", {}, session).film, "a long run of bdpt"};
   return compare::summarize(std::move(runs));
 }

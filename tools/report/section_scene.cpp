@@ -15,7 +15,7 @@ namespace wander::report {
 namespace {
 
 // A budget of walks, not of time: the same picture on every machine.
-constexpr std::uint64_t walks = 200'000;
+constexpr std::uint64_t walks = 50'000;
 constexpr int columns = 128;
 
 void write_fluence(Html& html, const Subject& subject) {
