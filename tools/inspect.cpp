@@ -1,4 +1,4 @@
-// `wander inspect`: what a scene requires, or what a run or a trajectory holds.
+// `wander inspect`: what a scene requires, or what a run, a trajectory or a comparison holds.
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
@@ -8,6 +8,7 @@
 
 #include "core/output/run_json.h"
 #include "core/output/trajectory_netcdf.h"
+#include "tools/compare/comparison_json.h"
 #include "tools/console.h"
 #include "tools/failure.h"
 #include "tools/inspection.h"
@@ -44,6 +45,14 @@ ExitCode show_trajectory(const TrajectoryRecord& record, const Global& global) {
   return ExitCode::ok;
 }
 
+ExitCode show_comparison(const compare::Comparison& comparison, const Global& global) {
+  if (global.json)
+    print_json(inspect_comparison(comparison));
+  else
+    print_data(text_of_comparison(comparison));
+  return ExitCode::ok;
+}
+
 ExitCode show_scene(const SceneDocument& scene, const InspectOptions& options,
                     const Global& global) {
   const nlohmann::ordered_json document = inspect_scene(scene);
@@ -60,10 +69,13 @@ ExitCode inspect(const InspectOptions& options, const Global& global) {
   const bool in_gallery = options.file.starts_with(gallery_prefix);
   const std::optional<RunRecord> run = in_gallery ? std::nullopt : find_run(options.file);
   if (run) return show_run(*run, options, global);
-  if (std::filesystem::is_directory(options.file))
-    throw RunFileError(options.file + ": a directory without a run.json");
   if (!options.reference.empty())
     throw UsageError("--reference compares two runs, and " + options.file + " is not a run");
+  if (!in_gallery)
+    if (const auto comparison = compare::find_comparison(options.file))
+      return show_comparison(*comparison, global);
+  if (std::filesystem::is_directory(options.file))
+    throw RunFileError(options.file + ": a directory without a run.json or a compare.json");
   if (!in_gallery)
     if (const auto trajectory = find_trajectory(options.file))
       return show_trajectory(*trajectory, global);
@@ -74,11 +86,12 @@ ExitCode inspect(const InspectOptions& options, const Global& global) {
 
 void add_inspect(CLI::App& app, Global& global) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* verb =
-      app.add_subcommand("inspect", "say what a scene requires, or what a run or trajectory holds");
+  CLI::App* verb = app.add_subcommand(
+      "inspect", "say what a scene requires, or what a run, trajectory or comparison holds");
   verb->add_option(
           "FILE", options->file,
-          "a scene file, gallery:NAME, a run.json, its directory, a film.exr, or a trajectory")
+          "a scene file, gallery:NAME, a run.json or compare.json, its directory, a film.exr, or a "
+          "trajectory")
       ->type_name("")
       ->required();
   verb->add_option("--reference", options->reference, "hold the run against this one")
@@ -87,7 +100,8 @@ void add_inspect(CLI::App& app, Global& global) {
   verb->footer(
       "\nExamples:\n  wander inspect scene.json --json\n"
       "  wander inspect run --reference reference/run.json\n"
-      "  wander inspect chains.nc");
+      "  wander inspect chains.nc\n"
+      "  wander inspect comparison");
   verb->callback([options, &global] {
     global.job = [options, &global] { return inspect(*options, global); };
   });

@@ -1,5 +1,5 @@
-// What `wander inspect` has to say about a scene, a run or a trajectory: a JSON document for
-// programs, the same in a dozen lines for people.
+// What `wander inspect` has to say about a scene, a run, a trajectory or a comparison: a JSON
+// document for programs, the same in a dozen lines for people.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,6 +9,7 @@
 #include "core/output/run_record.h"
 #include "core/output/trajectory_record.h"
 #include "core/scene_file.h"
+#include "tools/compare/comparison.h"
 
 namespace wander {
 
@@ -25,5 +26,9 @@ std::string text_of_comparison(const nlohmann::ordered_json& comparison);
 
 nlohmann::ordered_json inspect_trajectory(const TrajectoryRecord& record);
 std::string text_of_trajectory(const TrajectoryRecord& record);
+
+// Of many runs: `wander compare`.  Without films.
+nlohmann::ordered_json inspect_comparison(const compare::Comparison& comparison);
+std::string text_of_comparison(const compare::Comparison& comparison);
 
 }  // namespace wander

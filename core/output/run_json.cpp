@@ -159,6 +159,8 @@ ordered_json to_json(const RunRecord& run) {
   return json;
 }
 
+ordered_json to_json(const FilmEstimate& film, int dimension) { return json_of(film, dimension); }
+
 std::optional<RunRecord> find_run(const std::filesystem::path& path) {
   std::error_code unreachable;
   if (std::filesystem::is_directory(path, unreachable)) return find_run(path / "run.json");

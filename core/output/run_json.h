@@ -14,9 +14,13 @@ namespace wander {
 inline constexpr const char* run_schema = "wanderlight-run/1";
 
 nlohmann::ordered_json to_json(const RunRecord& run);
+// The "film" of a run; an image has a shape alone, for its values are in the EXR.
+nlohmann::ordered_json to_json(const FilmEstimate& film, int dimension);
 
 // A document that is not such a run throws RunFileError; `place` names it in the message.
 RunRecord run_from_json(const nlohmann::ordered_json& document, const std::string& place);
+// Throws a std::exception if it is not a film.
+FilmEstimate film_from_json(const nlohmann::ordered_json& json);
 
 // Reads run.json, the directory that holds it, or a film.exr; none if the file is something else.
 // Throws RunFileError if it is one of these but broken.

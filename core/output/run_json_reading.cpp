@@ -132,6 +132,8 @@ Rendering rendering_from(const ordered_json& json) {
 
 }  // namespace
 
+FilmEstimate film_from_json(const ordered_json& json) { return film_from(json); }
+
 RunRecord run_from_json(const ordered_json& document, const std::string& place) {
   try {
     if (document.at("schema") != run_schema) throw std::runtime_error("its schema is another");

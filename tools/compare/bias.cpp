@@ -1,5 +1,6 @@
 #include "tools/compare/bias.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/decision.h"
@@ -59,9 +60,12 @@ Measured relative_bias(const PairedSquare& pairs, std::size_t replicates,
   const double worst = std::pow(student_threshold(0.025, yardstick.degrees), 2);
   const double t = student_threshold(0.05, yardstick.degrees);
   const double common = 2 * t * std::sqrt(yardstick.noise * std::max(square, 0.0));
-  return {root(square),
-          {root(square - std::hypot(spread, (worst - 1) * yardstick.noise, common)),
-           root(square + std::hypot(spread, yardstick.noise, common))}};
+  const double below = std::hypot(spread, (worst - 1) * yardstick.noise, common);
+  const double above = std::hypot(spread, yardstick.noise, common);
+  // The spread of a square grows with it: (√u + h/(2√u))² = u + h + h²/(4u), for a small h.
+  const double growth = square > 0 ? std::min(square, above * above / (4 * square)) : 0;
+  // |bias|² is not negative.
+  return {root(square), {root(square - below), root(std::max(square + above + growth, 0.0))}};
 }
 
 Measured error_of_mean(const CellRuns& cell, const Yardstick& yardstick) {

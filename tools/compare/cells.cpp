@@ -47,15 +47,24 @@ struct Square {
   double paired;               // U; not known for a single replicate
   std::span<const double> of;  // D_r
 };
+
+// What the variance alone can plausibly be at a draw of E D: the share V/D̄ of it, and where that
+// is less, so much less as if all the spread of D were that of V.
+double least_square(const Square& square, double draw) {
+  const double share = std::clamp(1 - square.paired / square.mean, 0.0, 1.0);
+  if (!(share > 0)) return 0;
+  return square.mean * share *
+         std::min(draw / square.mean, std::pow(draw / square.mean, 1 / share));
+}
+
 Draws draws_of_square(const Square& square, const Draws& reference, std::uint32_t stream) {
   Draws draws = draws_of_mean(square.of, stream);
+  if (!(square.noise > 0)) return draws;
   const double bias = std::max(square.paired - square.noise, 0.0);
-  const double share = std::clamp(1 - square.paired / square.mean, 0.0, 1.0);  // V/D̄
   for (std::size_t i = 0; i < draws.size(); ++i) {
     const double t = reference[i];
-    const double least = square.mean > 0 ? share * draws[i] : 0;
     const double drawn = draws[i] - t * t * square.noise + 2 * t * std::sqrt(square.noise * bias);
-    if (square.noise > 0) draws[i] = std::max(drawn, least);
+    draws[i] = std::max(drawn, least_square(square, draws[i]));
   }
   return draws;
 }

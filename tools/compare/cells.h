@@ -9,7 +9,7 @@
 // Draws of m are of D̄ (plausible.h), less the reference's error.  Nobody knows how the errors of
 // its bins hang together; all err together in the worst case, ε = t e with one t for all, hence
 //   m = E D - t² mean e² + 2 t √(mean e² |bias|²)
-// and never less than the variance, m >= V, which needs no reference: the share V/D̄ of E D.
+// and never less than the variance, m >= V, which needs no reference.
 #pragma once
 
 #include "tools/compare/plausible.h"

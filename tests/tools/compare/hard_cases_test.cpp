@@ -158,7 +158,7 @@ TEST(Verdict, AtEqualSamplesTheEfficiencyIsGivenToo) {
 TEST(Verdict, WarnsOfAReferenceThatIsNoBetter) {
   Generator random(12);
   EXPECT_SAYS(summarize(made_runs({.reference_error = 0.05}, two, random)).cautions,
-              "The reference's own error, 5 %, is not small");
+              "is not small against the least that is measured");
 }
 
 TEST(Verdict, WarnsOfReplicatesThatDisagree) {

@@ -85,6 +85,7 @@ struct MadeScene {
   std::size_t bins = 16, replicates = 8;
   std::vector<double> seconds{1, 2, 4, 8};
   double reference_error = 0;  // standard error of every bin of the reference
+  std::function<std::vector<double>(Generator&, std::size_t)> reference_errors = independent_errors;
 };
 
 inline compare::Runs made_runs(const MadeScene& scene, const std::vector<MadeMethod>& methods,
@@ -94,11 +95,8 @@ inline compare::Runs made_runs(const MadeScene& scene, const std::vector<MadeMet
   for (const MadeMethod& method : methods) runs.contenders.push_back({method.label, "mlt", "", ""});
   for (const double seconds : scene.seconds)
     runs.budgets.push_back(std::to_string(static_cast<int>(seconds)) + "s");
-  std::vector<double> truth(scene.bins, 1);
-  for (double& value : truth) {
-    const double z = random.normal();
-    value += scene.reference_error * z;
-  }
+  std::vector<double> truth = scene.reference_errors(random, scene.bins);
+  for (double& value : truth) value = 1 + scene.reference_error * value;
   runs.reference.film = made_film(truth, scene.reference_error);
   runs.reference.film.degrees_of_freedom = 0;
   runs.reference.origin = "made for a test";
