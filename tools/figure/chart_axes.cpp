@@ -7,6 +7,14 @@ namespace wander::figure {
 namespace {
 
 constexpr double fewest_decades = 1;
+constexpr Range most_decades{1e-307, 1e308};
+
+// Within what a double can tell apart from zero and from infinity.
+Range positive(Range range) {
+  const double low = std::clamp(range.low, most_decades.low, most_decades.high / 10);
+  const double high = std::clamp(range.high, 10 * most_decades.low, most_decades.high);
+  return low < high ? Range{low, high} : Range{0.1, 1};
+}
 
 // The range of what is offered, as far as its axis can show it.
 class Hull {
@@ -87,9 +95,9 @@ Range y_range(const Chart& chart) {
 
 ChartAxis chart_axis(const Dimension& dimension, Range range, Range page, int at_most_ticks) {
   if (dimension.spacing == Spacing::logarithmic)
-    return {make_log_axis(dimension.quantity, range, page), dimension.spacing};
+    return {make_log_axis(dimension.quantity, positive(range), page), dimension.spacing};
   if (dimension.spacing == Spacing::whole)
-    at_most_ticks = std::min(at_most_ticks, static_cast<int>(range.width()) + 1);
+    at_most_ticks = static_cast<int>(std::min<double>(at_most_ticks, range.width() + 1));
   return {make_axis(dimension.quantity, range, page, at_most_ticks), dimension.spacing};
 }
 

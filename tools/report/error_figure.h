@@ -9,7 +9,7 @@ namespace wander::report {
 
 // Relative RMSE against seconds, log-log, with intervals, and with the times from which on one
 // contender is ahead of another.
-std::string error_time_figure(const compare::Comparison& comparison);
+std::string error_time_figure(const compare::Comparison& comparison, const std::string& title);
 std::string error_samples_figure(const compare::Comparison& comparison);
 
 // The share of replicates that reach the target within a time [Dolan and Moré 2002].

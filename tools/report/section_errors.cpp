@@ -27,7 +27,7 @@ void write_curves(Html& html, const Subject& subject) {
       "independent samples fall along a slope of −1/2.";
   if (!marked.empty())
     caption += " Dashed lines stand where one contender overtakes another for good.";
-  write_figure(html, error_time_figure(subject.comparison), caption);
+  write_figure(html, error_time_figure(subject.comparison, "Error against time"), caption);
   write_figure(html, error_samples_figure(subject.comparison),
                "The same errors against the number of samples, which does not depend on the "
                "machine. A sample is a path for pt and lt, a pair of subpaths for bdpt and a "
