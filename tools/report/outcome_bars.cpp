@@ -40,7 +40,7 @@ Bars bars_of(const Subject& subject) {
     for (const MutationRecord& mutation : subject.details(k)->mutations) {
       if (mutation.proposed == 0) continue;
       const auto proposed = static_cast<double>(mutation.proposed);
-      figure::ShareBar bar{fmt::format("{}: {}", subject.label(k), figure::spoken(mutation.name)),
+      figure::ShareBar bar{fmt::format("{} of {}", figure::spoken(mutation.name), subject.label(k)),
                            fmt::format("{} proposals, mean a {:.2g}", count_in_words(proposed),
                                        mutation.mean_acceptance)};
       for (const auto& [outcome, count] : outcomes_of(mutation)) {

@@ -1,11 +1,14 @@
 // The scene with the light in its space, and what it requires of a method.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "core/fluence.h"
 #include "core/requirements.h"
 #include "mutations/catalogue.h"
 #include "tools/figure/fluence_figure.h"
 #include "tools/figure/plane_picture.h"
+#include "tools/figure/share_bars.h"
 #include "tools/report/embedding.h"
 #include "tools/report/numbers.h"
 #include "tools/report/sections.h"
@@ -33,7 +36,8 @@ void write_fluence(Html& html, const Subject& subject) {
       Ground::paper);
 }
 
-std::string or_none(const std::vector<std::string>& words) {
+std::string or_none(std::vector<std::string> words) {
+  std::ranges::transform(words, words.begin(), figure::spoken);
   return words.empty() ? "none" : listed(words);
 }
 
@@ -53,7 +57,8 @@ void write_requirements(Html& html, const Subject& subject) {
   write_item(html, "specular surfaces", needs.specular ? "yes" : "no");
   write_item(html, "caustics", needs.caustic_paths_possible ? "possible" : "not possible");
   write_item(html, "mutations of mlt", or_none(choice.taken));
-  for (const auto& [name, reason] : choice.left_out) write_item(html, "left out: " + name, reason);
+  for (const auto& [name, reason] : choice.left_out)
+    write_item(html, "left out: " + figure::spoken(name), reason);
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ th, td { padding: 0.25rem 0.75rem 0.25rem 0; text-align: left; vertical-align: b
 thead th { vertical-align: bottom; border-bottom: 2px solid var(--ink); max-width: 9rem; }
 .number { text-align: right; }
 td.number, td.interval { white-space: nowrap; }
-th[scope="row"] { font-weight: 600; }
+th[scope="row"] { font-weight: 600; max-width: 14rem; overflow-wrap: anywhere; }
+li, h1, p { overflow-wrap: anywhere; }
 details { margin: 1rem 0; }
 summary { cursor: pointer; color: var(--link); }
 pre { overflow-x: auto; padding: 0.75rem; background: var(--tint); font-size: 0.8rem;
