@@ -50,6 +50,12 @@ inline compare::Comparison make_comparison(const ComparisonPlan& plan) {
   return compare::summarize(std::move(runs));
 }
 
+// Made once.
+inline const compare::Comparison& usual() {
+  static const compare::Comparison made = make_comparison({});
+  return made;
+}
+
 // Each quantity per bin repeated or left out until there are so many.
 template <class Values>
 void stretch(Values& values, std::size_t bins) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <string_view>
@@ -147,6 +148,23 @@ inline testing::AssertionResult has_headings_in_order(const Page& page) {
     level = next;
   }
   return level > 0 ? testing::AssertionSuccess() : testing::AssertionFailure() << "no heading";
+}
+
+// What holds of every report.
+inline void expect_sound(const std::string& html) {
+  const Page page = read_page(html);
+  EXPECT_EQ(page.fault, "");
+  EXPECT_TRUE(has_whole_references(page));
+  EXPECT_TRUE(has_headings_in_order(page));
+  EXPECT_LT(html.size(), 2'000'000u);
+  static const std::regex not_a_number(R"([^a-zA-Z](nan|NaN|-?inf)[^a-zA-Z])");
+  std::smatch found;
+  for (const Element& element : page.elements) {
+    EXPECT_FALSE(std::regex_search(element.text, found, not_a_number) && element.name != "pre")
+        << element.text;
+    for (const auto& [name, value] : element.attributes)
+      EXPECT_FALSE(value == "nan" || value == "inf") << element.name << ' ' << name;
+  }
 }
 
 }  // namespace wander::test

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 
 #include "tools/figure/share_bars.h"
 #include "tools/report/embedding.h"

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 
 #include "tools/figure/share_bars.h"
 #include "tools/report/bins.h"
@@ -69,7 +67,6 @@ void write_by_length(Html& html, const Subject& subject) {
 }
 
 void write_by_bin(Html& html, const Subject& subject) {
-  if (!subject.is_flat()) return;
   const std::vector<std::string> names = mutations_of(subject);
   figure::Chart chart{.x = film_dimension(subject),
                       .y = {.quantity = {"mean acceptance", ""}, .range = figure::Range{0, 1.02}},

@@ -47,7 +47,7 @@ void write_chart(Html& html, const Subject& subject, const Energies& energies) {
           {.x = {.quantity = {"vertices of the path, both ends counted", ""},
                  .spacing = figure::Spacing::whole,
                  .range = figure::Range{*lengths.begin() - 0.5, *lengths.rbegin() + 0.5}},
-           .y = {.quantity = {"mean over the film", subject.is_flat() ? "W/m" : "W/m²"},
+           .y = {.quantity = {"mean over the film", "W/m"},
                  .spacing = figure::Spacing::logarithmic},
            .panels = {std::move(panel)}},
           "Light by path length",
@@ -112,8 +112,7 @@ void write_lengths(Html& html, const Subject& subject, const Energies& energies)
       const auto found = energies[k].find(vertices);
       cells.push_back(found == energies[k].end() ? "none" : with_interval(found->second));
     }
-    table.add_column({fmt::format("{}, {}", subject.label(k), subject.is_flat() ? "W/m" : "W/m²")},
-                     cells);
+    table.add_column({subject.label(k) + ", W/m"}, cells);
   }
   write_folded(html, "Light by path length, in figures", table);
 }

@@ -7,7 +7,6 @@
 #include "tools/figure/film_figure.h"
 #include "tools/report/embedding.h"
 #include "tools/report/numbers.h"
-#include "tools/report/picture.h"
 #include "tools/report/sections.h"
 #include "tools/report/table.h"
 
@@ -97,10 +96,7 @@ void write_films(Html& html, const Subject& subject) {
   }
   if (const std::string& origin = subject.runs().reference.origin; !origin.empty())
     html.element("p", fmt::format("The reference: {}.", origin));
-  if (subject.is_flat())
-    write_panels(html, subject, films);
-  else
-    write_pictures(html, subject);
+  write_panels(html, subject, films);
   write_distances(html, subject);
 }
 

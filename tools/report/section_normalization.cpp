@@ -65,8 +65,7 @@ std::optional<Estimate> reference_mean(const Subject& subject) {
 void write_estimates(Html& html, const Subject& subject) {
   const std::vector<std::size_t> contenders = normalized_contenders(subject);
   for (std::size_t first = 0; first < contenders.size(); first += groups_per_figure) {
-    figure::IntervalRows rows{
-        .x = {.quantity = {"b, the mean of the film", subject.is_flat() ? "W/m" : "W/m²"}}};
+    figure::IntervalRows rows{.x = {.quantity = {"b, the mean of the film", "W/m"}}};
     for (std::size_t k = first; k < std::min(contenders.size(), first + groups_per_figure); ++k)
       rows.groups.push_back(group_of(subject, contenders[k]));
     if (const auto mean = reference_mean(subject)) {
@@ -145,8 +144,7 @@ void write_lengths(Html& html, const Subject& subject) {
     std::vector<std::string> cells(names.size(), "none");
     for (const LengthShare& share : subject.details(k)->normalization->by_length)
       cells[row_of[share.vertices]] = note_of(share);
-    table.add_column({fmt::format("{}, {}", subject.label(k), subject.is_flat() ? "W/m" : "W/m²")},
-                     cells);
+    table.add_column({subject.label(k) + ", W/m"}, cells);
   }
   write_folded(html, "b by path length, in figures", table);
 }

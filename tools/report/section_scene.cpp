@@ -65,10 +65,7 @@ void write_requirements(Html& html, const Subject& subject) {
 
 void write_scene(Html& html, const Subject& subject) {
   if (!subject.scene.description.empty()) html.element("p", subject.scene.description);
-  if (subject.is_flat())
-    write_fluence(html, subject);
-  else
-    html.element("p", "Scenes in space have no drawing here.", {{"class", "note"}});
+  write_fluence(html, subject);
   html.element("h3", "What the scene requires");
   write_requirements(html, subject);
 }

@@ -208,11 +208,9 @@ void write_spread(Html& html, const Subject& subject) {
   for (std::size_t k = 0; k < subject.contenders(); ++k)
     spreads.push_back(spread_of(subject.replicates(k)));
   const bool some = std::ranges::any_of(spreads, &SeedSpread::is_known);
-  if (subject.is_flat()) {
-    write_seeds(html, subject);
-    if (some) write_ratios(html, subject, spreads);
-  }
+  write_seeds(html, subject);
   if (some) {
+    write_ratios(html, subject, spreads);
     write_words(html, subject, spreads);
     write_spread_table(html, subject, spreads);
   } else {

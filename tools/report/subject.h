@@ -35,8 +35,6 @@ struct Subject {
   std::vector<Cell> cells(std::size_t contender) const;
   // The whole record of the first replicate at the last budget; null where it is missing.
   const Rendering* details(std::size_t contender) const;
-
-  bool is_flat() const { return scene.dimension == 2; }
 };
 
 Subject subject_of(const Comparison& comparison);
