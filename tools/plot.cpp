@@ -1,4 +1,4 @@
-// `wander plot`: a scene, films, a trajectory or the light in a scene as a figure.
+// `wander plot`: a scene, films, a comparison, a trajectory or the light in a scene as a figure.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +9,7 @@
 
 #include "core/output/atomic_file.h"
 #include "core/output/trajectory_netcdf.h"
+#include "tools/compare/comparison_json.h"
 #include "tools/console.h"
 #include "tools/failure.h"
 #include "tools/figure/scene_figure.h"
@@ -18,6 +19,7 @@
 #include "tools/plot_film.h"
 #include "tools/plot_fluence.h"
 #include "tools/plot_trajectory.h"
+#include "tools/report/error_figure.h"
 #include "tools/scene_source.h"
 #include "tools/verb.h"
 
@@ -43,6 +45,15 @@ std::string scene_svg(const PlotOptions& options) {
   return figure::scene_figure(scene, {.title = options.title.value_or(scene.name)});
 }
 
+// Its films are drawn by report.html, beside which it lies.
+std::string comparison_svg(const compare::Comparison& comparison, const PlotOptions& options) {
+  if (options.files.size() > 1 || !options.reference.empty())
+    throw UsageError(options.files.front() +
+                     " is a comparison; comparisons are drawn one at a time, and without "
+                     "--reference");
+  return report::error_time_figure(comparison, options.title.value_or("Error against time"));
+}
+
 // Which kind of file the first one is decides; a scene is what is nothing else.
 Figure figure_of(const PlotOptions& options) {
   const std::string& file = options.files.front();
@@ -54,6 +65,9 @@ Figure figure_of(const PlotOptions& options) {
     throw UsageError(file +
                      " is no trajectory, which --figure, --draws, --chain, --mutation and --class "
                      "are for; `wander trace` records one");
+  if (!file.starts_with(gallery_prefix))
+    if (const auto comparison = compare::find_comparison(file))
+      return {"comparison", comparison_svg(*comparison, options)};
   if (const std::optional<Film> film = find_film(file)) return {"film", film_svg(*film, options)};
   return {"scene", scene_svg(options)};
 }
@@ -175,14 +189,16 @@ void add_fluence_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& opt
 constexpr const char* details = R"(
 A scene is drawn with its lights (red, rays on the side that shines), its sensor (blue, pins on
 the side that listens) and its materials.  Films are drawn with 95 % intervals; bins that are not
-reliable are hatched.  Several runs share one figure.  Of a trajectory the first steps are drawn
-one by one: the current path black, accepted proposals solid, rejected ones dashed.  The fluence
-is the integral of radiance over all directions, in W/m; the image has it as channel Y, with
-standard_error.Y.
+reliable are hatched.  Several runs share one figure.  Of a comparison the error is drawn against
+time, with the times from which on one contender is ahead of another.  Of a trajectory the first
+steps are drawn one by one: the current path black, accepted proposals solid, rejected ones dashed.
+The fluence is the integral of radiance over all directions, in W/m; the image has it as channel Y,
+with standard_error.Y.
 
 Examples:
   wander plot scene.json -o scene.svg
   wander plot run_mlt run_bdpt --reference long_run -o films.svg
+  wander plot comparison -o error.svg
   wander plot trace.nc --figure paths --chain 2 --draws 100:112 -o paths.svg
   wander plot scene.json --fluence -b 2M -o light.svg
 )";
@@ -191,11 +207,11 @@ Examples:
 
 void add_plot(CLI::App& app, Global& global) {
   auto options = std::make_shared<PlotOptions>();
-  CLI::App* verb =
-      app.add_subcommand("plot", "draw a scene, films, a trajectory or light as a figure");
+  CLI::App* verb = app.add_subcommand(
+      "plot", "draw a scene, films, a comparison, a trajectory or light as a figure");
   verb->add_option("FILE", options->files,
-                   "a scene file, gallery:NAME, runs (directory, run.json or film.exr), or a "
-                   "trajectory (FILE.nc)")
+                   "a scene file, gallery:NAME, runs (directory, run.json or film.exr), a "
+                   "comparison (directory or compare.json), or a trajectory (FILE.nc)")
       ->required();
   verb->add_option("--title", options->title, "instead of the name of the scene")
       ->type_name("TEXT");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <string_view>
 
 namespace wander {
 
@@ -32,6 +33,14 @@ std::string with_error(const Estimate& estimate) {
   if (!std::isfinite(estimate.standard_error))
     return fmt::format("{:.6g} (error unknown)", estimate.value);
   return fmt::format("{:.6g} ± {:.2g}", estimate.value, estimate.standard_error);
+}
+
+std::string superscript(int value) {
+  constexpr std::string_view digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string result;
+  for (const char c : std::to_string(value))
+    result += c == '-' ? std::string_view("⁻") : digits[c - '0'];
+  return result;
 }
 
 }  // namespace wander

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tools/figure/style.h"
+#include "tools/wording.h"
 
 namespace wander::figure {
 namespace {
@@ -59,14 +60,6 @@ int common_exponent(double magnitude) {
 std::string with_minus_sign(std::string text) {
   if (!text.empty() && text[0] == '-') text.replace(0, 1, "−");
   return text;
-}
-
-std::string superscript(int value) {
-  constexpr std::string_view digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string result;
-  for (const char c : std::to_string(value))
-    result += c == '-' ? std::string_view("⁻") : digits[c - '0'];
-  return result;
 }
 
 std::string axis_title(const Quantity& quantity, double offset, int exponent) {
@@ -137,11 +130,14 @@ Axis make_log_axis(const Quantity& quantity, Range domain, Range page) {
   Axis axis{{exponents, page}, {}, {}, axis_title(quantity, 0, 0)};
   const double decade = std::abs(page.width()) / exponents.width();
   const bool plain = domain.low >= 1e-3 && domain.high < 1e5;
+  // Upright, labels stand one over the other and need their height only.
+  const bool upright = page.low > page.high;
+  const double room = upright ? 32 : plain ? 70 : 120;
   for (int power = static_cast<int>(std::floor(exponents.low)); power <= exponents.high; ++power)
     for (const int mantissa : {1, 2, 5}) {
       const double tick = power + std::log10(mantissa);
       if (tick < exponents.low - slack || tick > exponents.high + slack) continue;
-      if (mantissa > 1 && decade < (plain ? 70 : 120)) continue;
+      if (mantissa > 1 && decade < room) continue;
       const std::string factor = mantissa > 1 ? fmt::format("{}·", mantissa) : "";
       axis.ticks.push_back(tick);
       axis.labels.push_back(plain ? fmt::format("{:g}", decimal(mantissa, power))

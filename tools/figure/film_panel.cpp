@@ -130,6 +130,7 @@ std::string define_clip(Svg& svg, const Panel& panel) {
   const Range x = panel.x.page, y = panel.y.page;
   const std::string id = fmt::format("clip-{}-{}-{}-{}", number(x.low), number(y.high),
                                      number(x.width()), number(-y.width()));
+  if (!svg.is_new(id)) return id;
   const auto scope = svg.open("clipPath", {{"id", id}});
   svg.element("rect", {{"x", x.low}, {"y", y.high}, {"width", x.width()}, {"height", -y.width()}});
   return id;
@@ -140,6 +141,7 @@ std::string define_clip(Svg& svg, const Panel& panel) {
 void define_hatching(Svg& svg, std::span<const style::Stroke> strokes) {
   const auto definitions = svg.open("defs", {});
   for (const style::Stroke& stroke : strokes) {
+    if (!svg.is_new(hatch_id(stroke))) continue;
     const auto pattern = svg.open("pattern", {{"id", hatch_id(stroke)},
                                               {"patternUnits", "userSpaceOnUse"},
                                               {"width", 2.2},

@@ -1,0 +1,19 @@
+// Charts as figures of a report.
+#pragma once
+
+#include <string>
+
+#include "tools/figure/chart.h"
+#include "tools/report/html.h"
+
+namespace wander::report {
+
+// An SVG document as wide as a page of paper.
+std::string chart_document(figure::Chart chart, const std::string& title,
+                           const std::string& description);
+
+// A chart of many panels in as many figures as fit pages of paper.
+void write_panels(Html& html, const figure::Chart& chart, const std::string& title,
+                  const std::string& description, const std::string& caption);
+
+}  // namespace wander::report
