@@ -9,6 +9,7 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import place
+from study.page import percent
 
 METHODS = ["pt", "lt", "bdpt", "mlt"]
 SCENES = ["article-1", "article-2"]
@@ -64,7 +65,7 @@ class Figure4(unittest.TestCase):
         values = [(a + b) / 2 for a, b in zip(*(chunk["value"] for chunk in chunks))]
         variances = [(a * a + b * b) / 4 for a, b in zip(*(chunk["standard_error"] for chunk in chunks))]
         claimed = math.sqrt(sum(variances) / sum(v * v for v in values))
-        self.assertIn(f"| {100 * claimed:.1f} % |", next(line for line in table if "article-1" in line))
+        self.assertIn(f"| {percent(claimed)} |", next(line for line in table if "article-1" in line))
 
     def test_figure_is_well_formed_and_has_all_panels(self):
         figure = (self.docs / "figure4.svg").read_text()

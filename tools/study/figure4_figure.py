@@ -6,7 +6,7 @@ above is cut, and a triangle marks it.
 """
 from study.axis import ticks_up_to, unit_of
 from study.page import error_text, power_of_ten
-from study.svg import FAINT, INK, LABEL_SIZE, NEUTRAL, PAGE_WIDTH, SMALL_SIZE, TITLE_SIZE, Svg, number
+from study.svg import FAINT, LABEL_SIZE, NEUTRAL, PAGE_WIDTH, TITLE_SIZE, Svg, number
 
 METHOD_NAMES = {"pt": "path tracing", "lt": "light tracing", "bdpt": "bidirectional", "mlt": "Metropolis",
                 "pssmlt": "primary sample space", "mmlt": "multiplexed", "pt-naive": "naive path tracing",

@@ -44,6 +44,10 @@ def squares(numbers):
     return math.fsum(x * x for x in numbers)
 
 
+def mean_values(films):
+    return tuple(math.fsum(column) / len(films) for column in zip(*(film.values for film in films)))
+
+
 def merged(films):
     """The merged film of the doc string above."""
     films = list(films)
@@ -51,7 +55,7 @@ def merged(films):
     if len({len(film.values) for film in films}) != 1:
         raise InvalidInput("films of different numbers of bins cannot be merged")
     return Film(
-        values=tuple(math.fsum(column) / n for column in zip(*(film.values for film in films))),
+        values=mean_values(films),
         errors=tuple(math.sqrt(squares(column)) / n for column in zip(*(film.errors for film in films))),
         reliable=tuple(2 * sum(column) >= n for column in zip(*(film.reliable for film in films))),
         samples=sum(film.samples for film in films),

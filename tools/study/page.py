@@ -15,7 +15,8 @@ def fill(path, part, text):
     if page.count(begin) != 1 or page.count(end) != 1 or page.index(begin) > page.index(end):
         raise InvalidInput(f"{path}: needs one line `{begin}` and after it one line `{end}`")
     before, rest = page.split(begin)
-    write(path, f"{before}{begin}\n{text.strip()}\n{end}{rest.split(end)[1]}")
+    lines = text.strip("\n")  # the first one may be indented
+    write(path, f"{before}{begin}\n{lines}\n{end}{rest.split(end)[1]}")
 
 
 def write(path, text):
@@ -48,11 +49,11 @@ def percent(fraction):
     x = 100 * fraction
     if x == 0:
         return "0 %"
-    return f"{x:.0f} %" if x >= 9.95 else f"{x:.1f} %" if x >= 0.995 else f"{x:.2g} %"
+    return f"{x:.0f} %" if x >= 9.95 else f"{x:.1f} %" if x >= 0.995 else f"{x:#.2g} %"
 
 
 def error_text(relative_mse, reference_error):
-    """Relative RMSE; an error that drowns in that of the reference is only bounded."""
-    if relative_mse > 0:
+    """Relative RMSE; of an error below that of its reference only the bound is sure."""
+    if relative_mse > reference_error**2:
         return percent(relative_mse**0.5)
     return f"< {percent(reference_error)}"

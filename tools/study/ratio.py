@@ -20,7 +20,7 @@ import math
 import random
 from dataclasses import dataclass
 
-from study.film import Film, merged, squares
+from study.film import Film, mean_values, merged, squares
 
 FEW = 5  # chunks, of which a spread says little
 
@@ -39,8 +39,8 @@ def distance(film, reference, times):
 
 def spread(chunks):
     """Expected square error of the mean of the chunks."""
-    mean, n = merged(chunks), len(chunks)
-    return math.fsum(squares(x - m for x, m in zip(chunk.values, mean.values)) for chunk in chunks) / (n * (n - 1))
+    mean, n = mean_values(chunks), len(chunks)
+    return math.fsum(squares(x - m for x, m in zip(chunk.values, mean)) for chunk in chunks) / (n * (n - 1))
 
 
 def some_spread(chunks, generator):
@@ -53,7 +53,7 @@ def resampled(reference, generator):
     """Another draw of the reference, with the standard errors of the original."""
     film = reference.film
     if len(reference.parts) > 1:
-        values = merged(generator.choices(reference.parts, k=len(reference.parts))).values
+        values = mean_values(generator.choices(reference.parts, k=len(reference.parts)))
     else:
         values = tuple(generator.gauss(v, e) for v, e in zip(film.values, film.errors))
     return Film(values, film.errors, film.reliable)
@@ -69,7 +69,7 @@ def quotient(a, b):
     return a / b if b > 0 else math.inf
 
 
-def ratios(contenders, chunks, reference, resamples=2000):
+def ratios(contenders, chunks, reference, resamples=1000):
     """The two ratios as Estimates; the second is None where the rival has fewer than FEW chunks."""
     generator, rival = random.Random(1), merged(chunks)
     top = math.fsum(distance(film, reference.film, 1) for film in contenders) / len(contenders)

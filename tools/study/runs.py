@@ -70,7 +70,7 @@ def amount(text):
 
 def short(samples):
     """10M for 10 000 000: names a directory."""
-    for scale, letter in ((10**6, "M"), (10**3, "k")):
+    for scale, letter in ((10**9, "G"), (10**6, "M"), (10**3, "k")):
         if samples % scale == 0:
             return f"{samples // scale}{letter}"
     return str(samples)
