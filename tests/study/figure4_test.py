@@ -93,6 +93,8 @@ class Figure4(unittest.TestCase):
                                        (2, ["--samples", "7500"], "whole number of chunks"),
                                        (2, ["--methods", "ptt"], "no method 'ptt'"),
                                        (2, ["--reference", "article-9=x"], "--reference takes"),
+                                       (2, ["--scenes", "article-9"], "article-9"),
+                                       (1, ["--program", "/no/wander"], "build it"),
                                        (3, ["--reference", f"article-1={self.root}"], "run.json"),
                                        (3, ["--chunk", "2k"], "choose another --out")):
             done = self.figure4(*arguments)

@@ -20,7 +20,11 @@ QUIET = ["-q", "--progress", "none"]
 
 
 class RunFailed(Exception):
-    """The program failed; the text is what it said."""
+    """The program failed; the text is what it said, the exit code that of the program."""
+
+    def __init__(self, words, exit_code=1):
+        super().__init__(words)
+        self.exit_code = exit_code
 
 
 class NoLightFound(RunFailed):
@@ -84,6 +88,9 @@ def duration(seconds):
 
 def call(command):
     """Output of a command, which ends in peace on Ctrl-C.  Throws RunFailed with what it said."""
+    if not Path(command[0]).exists():
+        raise RunFailed(f"{command[0]}: no such program; build it: "
+                        "cmake --preset release && cmake --build --preset release, or say --program")
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                start_new_session=True)
     try:
@@ -94,7 +101,7 @@ def call(command):
         raise
     if process.returncode != 0:
         failure = NoLightFound if "found no light path" in said else RunFailed
-        raise failure(f"{shlex.join(command)}: exit {process.returncode}\n{said.strip()}")
+        raise failure(f"{shlex.join(command)}: exit {process.returncode}\n{said.strip()}", process.returncode)
     return out
 
 
