@@ -73,8 +73,8 @@ double spread_ratio(const std::vector<double>& counts, std::size_t k) {
 
 std::string few_samples(const SeedTally& seeds) {
   return fmt::format(
-      "the seed pass rests on about {} of {} samples: a rare event carries the light, so no error "
-      "bar is trusted; a larger budget makes a longer seed pass",
+      "the seed pass rests on about {} of {} samples: a rare event carries the light, and what was "
+      "not seen is in no error bar; a larger budget or --seed-share makes a longer seed pass",
       static_cast<int>(seeds.effective_samples()), seeds.samples);
 }
 

@@ -161,7 +161,7 @@ Errors are measured against a reference whose own error is known and allowed for
         the best method, each 1.5 R times the largest budget.  These are kept for the next time in
         $XDG_CACHE_HOME/wanderlight or ~/.cache/wanderlight; remove that folder to make them anew.
 
-DIR receives compare.json, compare.csv and reference.json.  Ctrl-C ends the comparison
+DIR receives report.html, compare.json, compare.csv and reference.json.  Ctrl-C ends the comparison
 with what is complete: exit code 130 and "complete": false.  A run in which a chain finds no light to
 start from is recorded as failed and does not end the comparison.
 

@@ -64,6 +64,18 @@ TEST_P(ErrorBudgets, GiveTheSameFilmForAnyNumberOfThreads) {
   EXPECT_EQ(one.film.standard_error, three.film.standard_error);
 }
 
+// Looking at a film changes nothing of it.
+TEST(ErrorBudgetOfSamples, GivesTheFilmOfSoManySamples) {
+  const FlatScene scene = build(diffuse_room());
+  const Rendering r = by_samples(*scene, until(0.006, 2));
+  Session counted;
+  counted.budget = SampleBudget{r.samples};
+  const Rendering expected = by_samples(*scene, counted);
+  EXPECT_GT(r.samples, std::uint64_t{1} << 16) << "more than one look";
+  EXPECT_EQ(r.film.value, expected.film.value);
+  EXPECT_EQ(r.film.standard_error, expected.film.standard_error);
+}
+
 TEST(ErrorBudgetInTheDark, EndsWithAZeroFilmOrWithoutLight) {
   const FlatScene scene = build(dark_room());
   const Rendering r = by_samples(*scene, until(0.1, 2));

@@ -11,6 +11,7 @@
 #include "mlt/render.h"
 #include "mutations/catalogue.h"
 #include "tests/support/expect.h"
+#include "tests/support/primary_runs.h"
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {
@@ -161,6 +162,26 @@ TEST_P(NormalizationOfARun, IsTheMeanOfItsFilm) {
   EXPECT_NEAR(lengths, mean, 1e-9 * mean);
   for (const auto& [name, estimate] : r.normalization->estimates)
     EXPECT_NEAR(estimate.value, mean, 7 * std::hypot(estimate.standard_error, 0.01 * mean)) << name;
+}
+
+// Whole samples, and each length by itself: what the seed pass found is the same light.
+class NormalizationOfPrimaryChains : public ::testing::TestWithParam<PrimaryMethod> {};
+INSTANTIATE_TEST_SUITE_P(Methods, NormalizationOfPrimaryChains,
+                         ::testing::ValuesIn(primary_methods),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+TEST_P(NormalizationOfPrimaryChains, AgreesWithTheSeedPass) {
+  const FlatScene scene = build(diffuse_room());
+  const Rendering r = GetParam().render(*scene, budget_of(100'000), {});
+  const auto& estimates = r.normalization->estimates;
+  const Estimate &bridge = estimates.at("bridge"), &seeds = estimates.at("seed_pass");
+  EXPECT_EQ(r.normalization->method, "bridge");
+  EXPECT_GT(bridge.value, 0);
+  EXPECT_LT(bridge.standard_error, 1.2 * seeds.standard_error);
+  // False alarms: 1e-9 for |z| < 6.1, were the two independent; they share the seed pass.
+  EXPECT_NEAR(bridge.value, seeds.value,
+              6.1 * std::hypot(bridge.standard_error, seeds.standard_error));
+  EXPECT_LT(std::abs(bridge.value / seeds.value - 1), 0.05);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "core/output/run_json.h"
 #include "tools/compare/comparison_csv.h"
 #include "tools/compare/comparison_json.h"
+#include "tools/report/report.h"
 
 namespace wander::compare {
 
@@ -33,6 +34,7 @@ void write_comparison(const Comparison& comparison, const std::filesystem::path&
   };
   stage("reference.json", to_json(reference_record(comparison.runs)).dump(1) + "\n");
   stage("compare.csv", to_csv(comparison));
+  stage("report.html", report_html(comparison));
   stage("compare.json", to_json(comparison).dump(1) + "\n");
   for (StagedFile& file : files) file.commit();
 }

@@ -1,4 +1,4 @@
-// The files of a comparison in its directory: compare.json, compare.csv and
+// The files of a comparison in its directory: report.html, compare.json, compare.csv, and
 // reference.json, the film that errors are measured against, as a run that `--reference` takes.
 #pragma once
 

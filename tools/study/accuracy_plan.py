@@ -18,8 +18,8 @@ REFERENCE = 3
 DIALS = {
     "large_step": ["0.02", "0.1", "0.6", "0.9"],
     "kernel": ["0.25", "0.5", "2", "4"],
-    "chains": ["16", "64", "1024"],
-    "seed_share": ["0.05", "0.5", "0.75"],
+    "chains": ["64", "1024", "4096"],
+    "seed_share": ["0.05", "1", "4"],
     "precision": ["float"],
 }
 # Of `--mutations auto`, by word (auto_weight in mutations/*.h).

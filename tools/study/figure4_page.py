@@ -77,7 +77,7 @@ def ratio_text(options, contenders, rival, reference, estimates):
     of_film, of_spread = estimates
     mutations = power_of_ten(contenders[0].samples)
     seed_pass = power_of_ten(round(sum(film.seed_samples for film in contenders) / len(contenders)))
-    lines = [command_of(options, "--ratio", str(len(contenders))),
+    lines = [command_of(options, "--ratio", str(len(contenders)), *(["--mlt", options.mlt] if options.mlt else [])),
              f"On `{options.scenes[-1]}`, mean square error of `mlt` with {mutations} mutations and a seed pass of "
              f"{seed_pass} bidirectional samples ({len(contenders)} runs), over that of `bdpt` with "
              f"{power_of_ten(rival.samples)} samples. Intervals hold 95 %. Reference: {reference.name}, with a relative "

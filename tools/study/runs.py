@@ -38,6 +38,7 @@ class Run:
     samples: int
     seed: int
     directory: Path
+    options: tuple = ()  # of render, beside these
 
     def record(self):
         """run.json, or None where the run has yet to be made.  Throws InvalidInput if it is another's."""
@@ -60,7 +61,7 @@ class Run:
 
     def command(self, program):
         return [str(program), "render", f"gallery:{self.scene}", "-m", self.method, "-b", str(self.samples),
-                "-s", str(self.seed)]
+                "-s", str(self.seed), *self.options]
 
 
 def amount(text):
@@ -125,7 +126,7 @@ class Rates:
         return run.samples / self.rates[key]
 
     def probe(self, run):
-        small = Run(run.scene, run.method, min(self.PROBE, run.samples), run.seed, run.directory)
+        small = Run(run.scene, run.method, min(self.PROBE, run.samples), run.seed, run.directory, run.options)
         self.rates[run.scene, run.method] = math.inf
         try:
             self.learn(small, json.loads(call(small.command(self.program) + ["--json", *QUIET])))

@@ -26,7 +26,7 @@ json without_times(json document) {
 TEST_F(CompareCommand, LeavesItsFilesAndTheSameDocumentOnStdout) {
   const Outcome outcome = compare(std::string(tiny) + " -o deep/out --json");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const char* name : {"compare.json", "compare.csv", "reference.json"})
+  for (const char* name : {"report.html", "compare.json", "compare.csv", "reference.json"})
     EXPECT_TRUE(exists((std::string("deep/out/") + name).c_str())) << name;
   const json printed = json::parse(outcome.out);
   EXPECT_EQ(printed, json::parse(contents(folder / "deep/out/compare.json")));
