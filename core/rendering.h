@@ -33,8 +33,9 @@ struct FilmEstimate {
 };
 
 struct NormalizationEstimate : Estimate {
-  std::uint64_t samples = 0;  // of the seed pass
-  std::string failure{};      // why there is none; empty if there is
+  std::uint64_t samples = 0;      // of the seed pass
+  double degrees_of_freedom = 0;  // of the t-interval around it
+  std::string failure{};          // why there is none; empty if there is
 };
 
 struct LengthShare : Estimate {

@@ -175,7 +175,7 @@ double effective_samples(const Cells& cells, double balance, double beta) {
     const double d = (paths - cells.samples_of(g) * mean) / cells.samples();
     spread += d * d;
   }
-  return spread > 0 ? mean * mean / spread : cells.samples();
+  return spread > 0 ? std::min(mean * mean / spread, cells.samples()) : cells.samples();
 }
 
 }  // namespace

@@ -33,7 +33,8 @@ struct BridgeGroup {
 struct BridgeFit {
   double b = 0;
   std::vector<double> without;  // b from all groups but one, for the jackknife
-  // How many independent events would know the seed pass's side as well as its groups do.
+  // How many independent events would know the seed pass's side as well as its groups do, but no
+  // more than it has samples.
   double effective_samples = 0;
   double balance = 1;   // r
   std::string failure;  // why there is no b; empty if there is

@@ -27,7 +27,8 @@ SeedTally merged(std::span<const GroupFindings> groups) {
 Constant from_seed_pass(std::span<const GroupFindings> groups) {
   const SeedTally tally = merged(groups);
   Constant constant{.b = mean(tally.total, tally.total_squares, tally.samples),
-                    .effective_samples = tally.effective_samples()};
+                    .effective_samples = tally.effective_samples(),
+                    .degrees_of_freedom = std::max(0.0, static_cast<double>(tally.samples) - 1)};
   for (const GroupFindings& group : groups) {
     const auto rest = static_cast<double>(tally.samples - group.seeds->samples);
     constant.without.push_back((tally.total.value() - group.seeds->total.value()) / rest);
@@ -41,6 +42,13 @@ std::vector<double> values(std::span<const Sum> sums) {
   return result;
 }
 
+double degrees_of(const Constant& constant) {
+  std::vector<double> deviations;
+  for (const double b : constant.without)
+    deviations.push_back((b - constant.b.value) * (b - constant.b.value));
+  return jackknife_degrees(deviations);
+}
+
 Constant from_least_squares(std::span<const GroupFindings> groups) {
   std::vector<FilmFitGroup> films;
   for (const GroupFindings& group : groups) {
@@ -51,8 +59,11 @@ Constant from_least_squares(std::span<const GroupFindings> groups) {
   }
   FilmFit fit = fit_films(films);
   if (!fit.failure.empty()) return {.failure = fit.failure};
-  const double error = jackknife_error(fit.without);
-  return {{fit.b, error}, std::move(fit.without), merged(groups).effective_samples()};
+  Constant constant{.b = {fit.b, jackknife_error(fit.without)},
+                    .without = std::move(fit.without),
+                    .effective_samples = merged(groups).effective_samples()};
+  constant.degrees_of_freedom = degrees_of(constant);
+  return constant;
 }
 
 // b = Σ over the strata, which are independent targets; one in which nothing was found is dark.
@@ -75,13 +86,15 @@ Constant from_bridge(std::span<const GroupFindings> groups) {
     for (std::size_t g = 0; g < groups.size(); ++g) constant.without[g] += fit.without[g];
   }
   constant.b.standard_error = jackknife_error(constant.without);
+  constant.degrees_of_freedom = degrees_of(constant);
   return constant;
 }
 
 void add_estimate(Normalization& record, NormalizationMethod method, const Constants& constants,
                   std::uint64_t samples) {
-  record.estimates[std::string(name_of(method))] = {constants[method].b, samples,
-                                                    constants[method].failure};
+  const Constant& constant = constants[method];
+  record.estimates[std::string(name_of(method))] = {constant.b, samples,
+                                                    constant.degrees_of_freedom, constant.failure};
 }
 
 // b · Σ_g L_gn / Σ_g Σ_n L_gn of the light L_gn that group g found in paths of n vertices.
@@ -148,7 +161,9 @@ Normalization normalization(const SeedTally& tally) {
   Normalization b;
   static_cast<Estimate&>(b) = mean(tally.total, tally.total_squares, tally.samples);
   b.method = name_of(NormalizationMethod::seed_pass);
-  b.estimates[b.method] = {{b.value, b.standard_error}, tally.samples};
+  b.estimates[b.method] = {{b.value, b.standard_error},
+                           tally.samples,
+                           std::max(0.0, static_cast<double>(tally.samples) - 1)};
   for (std::size_t k = 0; k < tally.sum.size(); ++k) {
     if (tally.sum[k].value() == 0) continue;
     b.by_length.push_back(

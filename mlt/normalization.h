@@ -25,7 +25,8 @@ struct Constant {
   Estimate b{not_known, not_known};
   std::vector<double> without{};
   double effective_samples = 0;  // of the seed pass that carry it
-  std::string failure{};         // why there is none; empty if there is
+  double degrees_of_freedom = 0;
+  std::string failure{};  // why there is none; empty if there is
 };
 
 struct Constants {

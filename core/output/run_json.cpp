@@ -50,6 +50,7 @@ ordered_json json_of(const Normalization& normalization) {
     ordered_json& entry = json["estimates"][name];
     entry = json_of(static_cast<const Estimate&>(estimate));
     entry["samples"] = estimate.samples;
+    entry["degrees_of_freedom"] = json_of(estimate.degrees_of_freedom);
     if (!estimate.failure.empty()) entry["failure"] = estimate.failure;
   }
   json["by_length"] = ordered_json::array();

@@ -48,6 +48,7 @@ Normalization normalization_from(const ordered_json& json) {
   for (const auto& [name, entry] : json.at("estimates").items()) {
     auto estimate = estimate_from<NormalizationEstimate>(entry);
     estimate.samples = entry.at("samples");
+    estimate.degrees_of_freedom = entry.at("degrees_of_freedom");
     estimate.failure = entry.value("failure", "");
     normalization.estimates[name] = estimate;
   }

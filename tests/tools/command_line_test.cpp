@@ -65,7 +65,7 @@ TEST_F(CommandLine, EveryMistakeInTheCommandLineIsExitTwo) {
                                 "render box.json -m pt -o o -t 0",
                                 "render box.json -m pt -o o -s -1",
                                 "render box.json -m pt -o o --max-vertices 1",
-                                "render box.json -m pt -o o -b 'error<0.1'",
+                                "render box.json -m pt -o o -b 'error<2'",
                                 "render box.json -m pt -o o --mutations primary=1",
                                 "render box.json -m mlt -o o --mutations shove=1",
                                 "render box.json -m mmlt -o o --mutations primary=1",

@@ -27,8 +27,9 @@ TEST(Budget, CountsAndTimesHaveUnits) {
 
 TEST(Budget, EverythingElseIsAUsageError) {
   for (const char* text :
-       {"",    "soon", "s",    "M",   "0",      "-5",   "-1s", "0s", "1.5",        "5 M",
-        "5Mx", "nan",  "infs", "inf", "1e400s", "1e30", "0.1", "+5", "error<0.01", "5m"})
+       {"",    "soon", "s",       "M",       "0",       "-5",        "-1s",    "0s",
+        "1.5", "5 M",  "5Mx",     "nan",     "infs",    "inf",       "1e400s", "1e30",
+        "0.1", "+5",   "error<0", "error<1", "error<x", "error>0.1", "5m"})
     EXPECT_THROW(parse_budget(text), UsageError) << text;
 }
 

@@ -28,7 +28,7 @@ std::vector<std::string> warnings_of(const Subject& subject) {
   for (std::size_t k = 0; k < subject.contenders(); ++k)
     if (const Rendering* details = subject.details(k))
       for (const std::string& warning : details->warnings)
-        warnings.push_back(fmt::format("{}: {}", subject.label(k), warning));
+        add({fmt::format("{}: {}", subject.label(k), warning)});
   return warnings;
 }
 
