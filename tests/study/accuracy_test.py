@@ -31,7 +31,7 @@ settings = [s for s in values.split(";" if ";" in values else ",") if s]
 contenders = [dict(method=m, label=m, dial="", setting="") for m in value("-m").split(",")]
 contenders += [dict(method="mlt", label="mlt " + s, dial=dial, setting=s) for s in settings]
 budgets = value("-b").split(",")
-measured = lambda x: {"value": x, "interval": [0.9 * x, 1.1 * x]}
+measured = lambda x: {"value": x, "low": 0.9 * x, "high": 1.1 * x}
 cells = [dict(contender=c, budget=b, seconds=measured(float(t[:-1])), relative_rmse=measured(0.01 * (c + 1) / (b + 1)))
          for c in range(len(contenders)) for b, t in enumerate(budgets)]
 crossings = [dict(ahead=0, behind=c, significant=dial == "kernel" and contenders[c]["setting"] == "4", seconds=measured(0.5))

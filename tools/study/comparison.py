@@ -14,8 +14,7 @@ class Measured:
 
 def measured(entry):
     """Numbers that are not known are null in the file, and NaN here."""
-    low, high = entry["interval"]
-    return Measured(*(math.nan if x is None else x for x in (entry["value"], low, high)))
+    return Measured(*(math.nan if entry[key] is None else entry[key] for key in ("value", "low", "high")))
 
 
 class Comparison:
