@@ -1,4 +1,6 @@
 """The parts of docs/accuracy.md that tools/accuracy makes, from the comparisons that there are."""
+import math
+
 from study.accuracy_plan import METHODS, mutation_settings
 from study.page import percent, table
 
@@ -7,6 +9,8 @@ USUAL = ("mlt", "", "")
 
 def range_text(error):
     """5.4 % (5.0–6.1)."""
+    if math.isnan(error.low) or math.isnan(error.high):
+        return f"{percent(error.value)} (no interval)"
     return f"{percent(error.value)} ({percent(error.low)[:-2]}–{percent(error.high)[:-2]})"
 
 
