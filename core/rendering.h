@@ -89,8 +89,9 @@ struct Rendering {
   std::uint64_t samples = 0;
   std::uint64_t seed = 1;
   int threads = 1;
-  double seconds = 0;       // wall time of sampling, seed pass included
-  double seed_seconds = 0;  // of which seed pass
+  double seconds = 0;            // wall time, from the building of the scene to the last number
+  double processor_seconds = 0;  // of all threads in that time
+  double seed_seconds = 0;       // wall time until the end of the seed pass
   std::string precision = "double";
   FilmEstimate film;
   std::optional<Normalization> normalization{};

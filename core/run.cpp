@@ -26,16 +26,14 @@ struct Ticket {
 Run::Run(const Session& session)
     : session_(session),
       threads_(session.threads > 0 ? session.threads : available_threads()),
-      start_(std::chrono::steady_clock::now()),
-      last_report_(start_) {}
-
-double Run::seconds() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-}
+      kind_(time_kind_of(session.budget)),
+      begun_(session.begun ? *session.begun : session.clock->now()) {}
 
 void Run::report(const ProgressReport& progress) {
-  const auto now = std::chrono::steady_clock::now();
-  if (!session_.report || now - last_report_ < std::chrono::milliseconds(100)) return;
+  constexpr double between_reports = 0.1;  // s
+  if (!session_.report) return;
+  const double now = seconds();
+  if (now - last_report_ < between_reports) return;
   last_report_ = now;
   session_.report(progress);
 }
@@ -76,17 +74,25 @@ void run_in_order(const Run& run, const Units& units) {
 }
 
 void run_parallel(const Run& run, int count, const std::function<void(int)>& work) {
+  run_within(run, [&] {
+    in_parallel(static_cast<std::size_t>(count), [&](std::size_t i) { work(static_cast<int>(i)); });
+  });
+}
+
+void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, count, 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) work(i);
+      },
+      tbb::simple_partitioner());
+}
+
+void run_within(const Run& run, const std::function<void()>& work) {
   tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
                             static_cast<std::size_t>(run.threads()));
   tbb::task_arena arena(run.threads());
-  arena.execute([&] {
-    tbb::parallel_for(
-        tbb::blocked_range<int>(0, count, 1),
-        [&](const tbb::blocked_range<int>& range) {
-          for (int i = range.begin(); i != range.end(); ++i) work(i);
-        },
-        tbb::simple_partitioner());
-  });
+  arena.execute(work);
 }
 
 }  // namespace wander

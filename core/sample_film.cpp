@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/output/film_statistics.h"
+#include "core/pace.h"
 #include "core/run.h"
 #include "core/stopping_rule.h"
 
@@ -47,7 +48,7 @@ class Looks {
   Looks(const Limit& limit, std::uint64_t per_unit)
       : limit_(limit), per_unit_(per_unit), goal_(limit.error > 0 ? first : limit.samples) {}
 
-  std::uint64_t units() const { return (goal_ - 1) / per_unit_ + 1; }
+  std::uint64_t goal() const { return limit_.error > 0 ? up_to_whole_units() : goal_; }
   // Has the film come to its end?  Else the goal is moved.
   bool is_done(const SampleFilm& film, std::span<const int> shape) {
     if (!(limit_.error > 0)) return true;
@@ -65,6 +66,8 @@ class Looks {
  private:
   static constexpr std::uint64_t first = 1 << 16;
 
+  std::uint64_t up_to_whole_units() const { return ((goal_ - 1) / per_unit_ + 1) * per_unit_; }
+
   const Limit& limit_;
   std::uint64_t per_unit_, goal_;
   double error_ = std::numeric_limits<double>::infinity();
@@ -76,56 +79,112 @@ int bins_of(std::span<const int> shape) {
   return bins;
 }
 
-}  // namespace
+// The film under way.  A sample is known by its number, so units can be of any length.
+class Sampling {
+ public:
+  Sampling(Run& run, std::span<const int> shape, int max_vertices,
+           const std::function<FilmSampler()>& make)
+      : run_(run),
+        shape_(shape),
+        limit_(run.session().budget),
+        per_unit_(samples_per_unit(bins_of(shape))),
+        film_(bins_of(shape), max_vertices) {
+    for (int i = 0; i < slots_of(run); ++i)
+      slots_.push_back({make(), {bins_of(shape), max_vertices}});
+  }
 
-Rendering sample_film(const char* method, std::span<const int> shape, int max_vertices,
-                      const Session& session, const std::function<FilmSampler()>& make) {
-  Run run(session);
-  const Limit limit(session.budget);
-  const int bins = bins_of(shape);
-  const std::uint64_t per_unit = samples_per_unit(bins);
-  SampleFilm film(bins, max_vertices);
-  std::vector<Slot> slots;
-  for (int i = 0; i < slots_of(run); ++i) slots.push_back({make(), {bins, max_vertices}});
+  // As many samples as were asked for, or as the error takes.
+  void to_the_goal() {
+    Looks looks(limit_, per_unit_);
+    do {
+      fraction_of_error_ = looks.fraction();
+      extend_to(looks.goal(), per_unit_);
+    } while (!run_.is_interrupted() && !looks.is_done(film_, shape_));
+  }
 
-  Looks looks(limit, per_unit);
-  const auto count_of = [&](std::uint64_t unit) {
-    return std::min(per_unit, limit.samples - unit * per_unit);
-  };
-  const auto more = [&](std::uint64_t unit) {
-    return !run.is_interrupted() && (unit == 0 || run.seconds() < limit.seconds);
-  };
-  std::uint64_t done = 0;  // units
-  do {
-    const std::uint64_t first = done;
+  // As many samples as there is time for.
+  void until_time_is_up() {
+    const auto threads = static_cast<std::uint64_t>(run_.threads());
+    Pace pace(run_.spent(), limit_.seconds, units_per_round * threads * per_unit_);
+    for (double now = run_.spent(); film_.samples() == 0 || !pace.is_over(now);
+         now = run_.spent()) {
+      const std::uint64_t count = pace.next(now, film_.samples());
+      const std::uint64_t unit =
+          std::clamp(count / (fewest_units * threads), per_unit_ / fewest_units / 4, per_unit_);
+      const bool is_first = film_.samples() == 0;
+      extend_to(film_.samples() + count, unit);
+      if (run_.is_interrupted()) return;
+      if (is_first) pace.end_at(limit_.seconds - time_of_an_estimate());
+    }
+  }
+
+  const SampleFilm& film() const { return film_; }
+  bool is_complete() const {
+    return std::holds_alternative<SampleBudget>(run_.session().budget)
+               ? film_.samples() == limit_.samples
+               : !run_.is_interrupted();
+  }
+
+ private:
+  static constexpr std::uint64_t units_per_round = 64, fewest_units = 16;  // of each thread
+
+  void extend_to(std::uint64_t end, std::uint64_t per_unit) {
+    const std::uint64_t first = film_.samples();
+    const auto more = [&](std::uint64_t unit) {
+      return !run_.is_interrupted() && (unit == 0 || run_.spent() < limit_.seconds);
+    };
     const auto work = [&](std::uint64_t unit, int index) {
-      Slot& slot = slots[static_cast<std::size_t>(index)];
+      Slot& slot = slots_[static_cast<std::size_t>(index)];
       slot.film.clear();
-      Rng rng(session.seed, Purpose::estimate, 0);
-      for (std::uint64_t i = 0; i < count_of(first + unit); ++i) {
-        rng.start((first + unit) * per_unit + i);
+      Rng rng(run_.session().seed, Purpose::estimate, 0);
+      const std::uint64_t begin = first + unit * per_unit;
+      for (std::uint64_t i = begin; i < std::min(begin + per_unit, end); ++i) {
+        rng.start(i);
         slot.sample(rng, slot.film);
         slot.film.end_sample();
       }
     };
     const auto merge = [&](std::uint64_t, int index) {
-      film.merge(slots[static_cast<std::size_t>(index)].film);
+      film_.merge(slots_[static_cast<std::size_t>(index)].film);
       const double fraction =
-          std::max(looks.fraction(), limit.fraction(film.samples(), run.seconds()));
-      run.report({fraction, film.samples(), run.seconds(), "sampling"});
+          std::max(fraction_of_error_, limit_.fraction(film_.samples(), run_.spent()));
+      run_.report({fraction, film_.samples(), run_.seconds(), "sampling"});
     };
-    run_in_order(run, {looks.units() - first, more, work, merge});
-    done = looks.units();
-  } while (!run.is_interrupted() && !looks.is_done(film, shape));
+    run_in_order(run_, {(end - first - 1) / per_unit + 1, more, work, merge});
+  }
+  double time_of_an_estimate() const {
+    const double before = run_.spent();
+    film_.estimate(shape_);
+    return run_.spent() - before;
+  }
 
-  Rendering rendering{.method = method,
-                      .samples = film.samples(),
+  Run& run_;
+  std::span<const int> shape_;
+  Limit limit_;
+  std::uint64_t per_unit_;
+  SampleFilm film_;
+  std::vector<Slot> slots_;
+  double fraction_of_error_ = 0;
+};
+
+}  // namespace
+
+Rendering sample_film(const char* method, std::span<const int> shape, int max_vertices,
+                      const Session& session, const std::function<FilmSampler()>& make) {
+  Run run(session);
+  Sampling sampling(run, shape, max_vertices, make);
+  if (std::holds_alternative<TimeBudget>(session.budget))
+    sampling.until_time_is_up();
+  else
+    sampling.to_the_goal();
+  Rendering rendering{.complete = sampling.is_complete(),
+                      .method = method,
+                      .samples = sampling.film().samples(),
                       .seed = session.seed,
                       .threads = run.threads(),
-                      .seconds = run.seconds(),
-                      .film = film.estimate(shape)};
-  const bool is_counted = std::holds_alternative<SampleBudget>(session.budget);
-  rendering.complete = is_counted ? film.samples() == limit.samples : !run.is_interrupted();
+                      .film = sampling.film().estimate(shape)};
+  rendering.seconds = run.seconds();
+  rendering.processor_seconds = run.processor_seconds();
   return rendering;
 }
 

@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/run.h"
+
 namespace wander {
 
 namespace {
@@ -198,13 +200,14 @@ BridgeFit bridge(std::span<const BridgeGroup> groups) {
   }
   fit.b = cells.direct() * std::exp(*beta);
   fit.effective_samples = effective_samples(cells, fit.balance, *beta);
-  std::vector<Cell> rest(cells.all().size());
-  for (std::size_t g = 0; g < groups.size(); ++g) {
+  fit.without.resize(groups.size());
+  in_parallel(groups.size(), [&](std::size_t g) {
+    std::vector<Cell> rest(cells.all().size());
     std::optional<double> part;
     if (cells.without(g, rest)) part = solve(rest, fit.balance, *beta);
-    fit.without.push_back(part ? cells.direct() * std::exp(*part)
-                               : std::numeric_limits<double>::quiet_NaN());
-  }
+    fit.without[g] =
+        part ? cells.direct() * std::exp(*part) : std::numeric_limits<double>::quiet_NaN();
+  });
   return fit;
 }
 

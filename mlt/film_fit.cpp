@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include "core/run.h"
+
 namespace wander {
 
 namespace {
@@ -160,11 +162,11 @@ double mean_of(const Film& film) {
 // One half's fit, with the variances that belong to it.
 class Half {
  public:
-  Half(const Films& films, std::size_t half)
+  Half(const Films& films, std::size_t half, const Film& shape_variance)
       : films_(films),
         half_(half),
         variance_(films.variance_of_found(half)),
-        shape_variance_(films.variance_of_shape()) {}
+        shape_variance_(shape_variance) {}
 
   std::optional<Solution> fit() {
     const Film found = films_.found(half_, none), shape = films_.shape(none);
@@ -197,7 +199,9 @@ class Half {
 
   const Films& films_;
   std::size_t half_;
-  Film variance_, shape_variance_, sigma_;
+  Film variance_;
+  const Film& shape_variance_;
+  Film sigma_;
   double b_ = 0;
 };
 
@@ -210,7 +214,8 @@ FilmFit fit_films(std::span<const FilmFitGroup> groups) {
     return fit;
   }
   const Films films(groups);
-  Half even(films, 0), odd(films, 1);
+  const Film shape_variance = films.variance_of_shape();
+  Half even(films, 0, shape_variance), odd(films, 1, shape_variance);
   const auto first = even.fit(), second = odd.fit();
   if (!first || !second) {
     fit.failure =
@@ -220,8 +225,9 @@ FilmFit fit_films(std::span<const FilmFitGroup> groups) {
   fit.b = (first->b + second->b) / 2;
   fit.chi2_per_degree =
       (first->chi2 + second->chi2) / static_cast<double>(2 * (groups.front().found.size() - 1));
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    fit.without.push_back((even.without(g) + odd.without(g)) / 2);
+  fit.without.resize(groups.size());
+  in_parallel(groups.size(),
+              [&](std::size_t g) { fit.without[g] = (even.without(g) + odd.without(g)) / 2; });
   return fit;
 }
 

@@ -1,6 +1,9 @@
 #include "mlt/functionals.h"
 
 #include <algorithm>
+#include <functional>
+
+#include "core/run.h"
 
 namespace wander {
 
@@ -10,13 +13,19 @@ std::uint64_t ChainDraws::stride() const {
   return stride;
 }
 
-Draws ChainDraws::of(std::size_t functional) const {
-  Draws draws{chains_.size(), chains_.empty() ? 0 : ThinnedDraws::capacity, {}};
+std::size_t ChainDraws::length() const {
+  std::size_t length = chains_.empty() ? 0 : ThinnedDraws::capacity;
   const std::uint64_t stride = this->stride();
   for (const ThinnedDraws* chain : chains_) {
     const std::size_t every = stride / chain->stride();
-    draws.length = std::min(draws.length, (chain->size() + every - 1) / every);
+    length = std::min(length, (chain->size() + every - 1) / every);
   }
+  return length;
+}
+
+Draws ChainDraws::of(std::size_t functional) const {
+  Draws draws{chains_.size(), length(), {}};
+  const std::uint64_t stride = this->stride();
   draws.values.reserve(draws.chains * draws.length);
   for (const ThinnedDraws* chain : chains_) {
     const std::size_t every = stride / chain->stride();
@@ -29,13 +38,18 @@ Draws ChainDraws::of(std::size_t functional) const {
 ChainsRecord diagnostics(const ChainDraws& draws) {
   ChainsRecord record;
   record.stride = draws.stride();
-  for (std::size_t k = 0; k < functional_names.size(); ++k) {
+  record.functionals.resize(functional_names.size());
+  in_parallel(functional_names.size(), [&](std::size_t k) {
     const Draws of = draws.of(k);
-    record.draws = of.length;
-    record.functionals.push_back({std::string(functional_names[k]), rank_r_hat(of), ess_bulk(of),
-                                  ess_tail(of),
-                                  autocorrelation_time(of) * static_cast<double>(record.stride)});
-  }
+    FunctionalRecord& f = record.functionals[k];
+    f.name = functional_names[k];
+    const std::array<std::function<void()>, 4> parts{
+        [&] { f.r_hat = rank_r_hat(of); }, [&] { f.ess_bulk = ess_bulk(of); },
+        [&] { f.ess_tail = ess_tail(of); },
+        [&] { f.autocorrelation_time = autocorrelation_time(of) * double(record.stride); }};
+    in_parallel(parts.size(), [&](std::size_t i) { parts[i](); });
+  });
+  record.draws = draws.length();
   return record;
 }
 

@@ -73,6 +73,7 @@ class ChainDraws {
 
   std::size_t chains() const { return chains_.size(); }
   std::uint64_t stride() const;
+  std::size_t length() const;  // draws of each
   Draws of(std::size_t functional) const;
 
  private:

@@ -20,7 +20,9 @@ concept Group = requires(G& group, const G& made, std::uint64_t count, const See
                          GroupsFilm& film, MutationStatistics& statistics, ChainDraws& draws) {
   group.add_seeds(count);
   { made.tally() } -> std::same_as<const SeedTally&>;
-  // After the seed pass; `others`: what all other groups found.
+  // After the seed pass: of the chains for which there are seeds, only so many run.
+  group.keep_chains(1);
+  // After that; `others`: what all other groups found.
   group.start_chains(others);
   // Can steps add anything to the film?
   { made.takes_steps() } -> std::same_as<bool>;

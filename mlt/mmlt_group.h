@@ -63,6 +63,7 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
   static constexpr std::span<const std::string_view> move_names() { return primary_move_names; }
   bool takes_steps() const { return slice_.found_light() || !Estimator::needs_seed; }
   int chains() const { return space_.max_vertices() - 1; }
+  void keep_chains(int) {}  // it has one for each length
 
   void start_chains(const SeedTally& others) {
     if (!takes_steps()) return;

@@ -21,6 +21,7 @@ class PathGroup : public SeededGroup<Space, PathSeeds> {
   static constexpr std::span<const std::string_view> move_names() { return Kernel::names; }
   bool takes_steps() const { return slice_.found_light(); }
   int chains() const { return chain_count_; }
+  void keep_chains(int most) { chain_count_ = std::min(chain_count_, most); }
 
   void start_chains(const SeedTally& others) {
     if (!slice_.found_light()) return;

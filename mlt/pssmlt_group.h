@@ -25,6 +25,7 @@ class PssmltGroup : public SeededGroup<Space, SampleSeeds> {
   static constexpr std::span<const std::string_view> move_names() { return primary_move_names; }
   bool takes_steps() const { return slice_.found_light() || !Estimator::needs_seed; }
   int chains() const { return chain_count_; }
+  void keep_chains(int most) { chain_count_ = std::min(chain_count_, most); }
 
   void start_chains(const SeedTally& others) {
     constants_ = {this->tally().mean(), others.mean(), kernel_.large_step};

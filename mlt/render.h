@@ -6,13 +6,13 @@
 // order.
 #pragma once
 
-#include <memory>
+#include <utility>
 
 #include "core/output/film_statistics.h"
+#include "core/pace.h"
 #include "core/run.h"
 #include "core/stopping_rule.h"
-#include "mlt/chain_settings.h"
-#include "mlt/group.h"
+#include "mlt/chain_groups.h"
 #include "mlt/normalization.h"
 #include "mlt/normalized_film.h"
 #include "mlt/path_group.h"
@@ -38,22 +38,25 @@ class ChainRenderer {
   template <class Kernel>
   ChainRenderer(const Space& space, const Kernel& kernel, const Session& session,
                 ChainSettings settings)
-      : space_(space), session_(session), settings_(fitted(settings, session)), run_(session) {
-    for (int g = 0; g < settings_.groups; ++g)
-      groups_.push_back(
-          std::make_unique<Chains>(space, kernel, session.seed, g, settings_.chains_per_group));
-  }
+      : space_(space),
+        session_(session),
+        settings_(fitted(settings, session)),
+        run_(session),
+        groups_(space, kernel, run_, settings_) {}
 
   Rendering render(const char* method) {
     seed_pass();
     const double seed_seconds = run_.seconds();
-    const SeedTally tally = merged_tally();
+    const SeedTally tally = groups_.tally();
     if (!(tally.total.value() > 0)) throw NoLightFound(tally.samples);
-    start_chains();
+    settings_.chains_per_group = chains_for(expected_steps(tally.samples));
+    groups_.start(settings_.chains_per_group);
     if (const auto* budget = std::get_if<ErrorBudget>(&session_.budget))
       return run_to(budget->relative, method, tally, seed_seconds);
-    const auto* budget = std::get_if<SampleBudget>(&session_.budget);
-    run_chains(budget ? budget->samples : std::numeric_limits<std::uint64_t>::max());
+    if (const auto* budget = std::get_if<TimeBudget>(&session_.budget))
+      run_chains_until(budget->seconds, [&] { rendering(method, tally, seed_seconds); });
+    else
+      run_chains(std::get<SampleBudget>(session_.budget).samples);
     return rendering(method, tally, seed_seconds);
   }
 
@@ -61,6 +64,7 @@ class ChainRenderer {
   static constexpr std::uint64_t steps_per_round = 1024;  // of each group
   static constexpr std::uint64_t first_look = 1 << 17;    // steps, if the budget is an error
   static constexpr std::uint64_t seeds_per_round = 256;
+  static constexpr double rehearsed_after = 0.25;  // of the time of the chains
 
   // A small budget makes fewer chains, so that it can be met exactly.
   static ChainSettings fitted(ChainSettings settings, const Session& session) {
@@ -72,11 +76,6 @@ class ChainRenderer {
     return settings;
   }
 
-  void in_parallel(const std::function<void(Chains&)>& work) {
-    run_parallel(run_, settings_.groups,
-                 [&](int g) { work(*groups_[static_cast<std::size_t>(g)]); });
-  }
-
   // The error of the seed pass may be so much of the target, if that is the budget: then b takes
   // no more than a quarter of the variance.
   static constexpr double share_of_error = 0.5;
@@ -84,67 +83,74 @@ class ChainRenderer {
   void seed_pass() {
     if (const auto* budget = std::get_if<ErrorBudget>(&session_.budget))
       seed_pass_to(share_of_error * budget->relative);
+    else if (const auto* time = std::get_if<TimeBudget>(&session_.budget))
+      seed_pass_until(settings_.seed_share / (1 + settings_.seed_share) * time->seconds);
     else
-      seed_pass_of_budget();
+      seed_pass_of(std::get<SampleBudget>(session_.budget).samples);
   }
 
-  // `per_group` more samples of each slice.
-  void add_seeds(std::uint64_t per_group) {
+  // `per_group` more samples of each slice; `fraction` of the budget is done after so many of them.
+  template <class Fraction>
+  void add_seeds(std::uint64_t per_group, Fraction&& fraction) {
     for (std::uint64_t done = 0; done < per_group && !run_.is_interrupted();) {
       const std::uint64_t count = std::min(seeds_per_round, per_group - done);
-      in_parallel([&](Chains& group) { group.add_seeds(count); });
-      run_.report({0, done += count, run_.seconds(), "seed pass"});
+      groups_.add_seeds(count);
+      done += count;
+      report(fraction(done), done * groups_.count(), "seed pass");
     }
   }
   void seed_pass_to(double target) {
-    const auto groups = static_cast<std::uint64_t>(settings_.groups);
-    add_seeds(settings_.fewest_seeds / groups);
+    const auto unknown = [](std::uint64_t) { return 0.0; };
+    add_seeds(settings_.fewest_seeds / groups_.count(), unknown);
     while (!run_.is_interrupted()) {
-      const SeedTally tally = merged_tally();
+      const SeedTally tally = groups_.tally();
       if (!(tally.total.value() > 0) && tally.samples >= samples_in_the_dark) return;
       const Normalization b = normalization(tally);
       const double error = b.standard_error / b.value;
       if (error <= target) return;
-      add_seeds((next_look(tally.samples, error, target) - tally.samples) / groups + 1);
+      add_seeds((next_look(tally.samples, error, target) - tally.samples) / groups_.count() + 1,
+                unknown);
     }
   }
 
   // Every slice has the same number of samples.
-  void seed_pass_of_budget() {
-    const auto groups = static_cast<std::uint64_t>(settings_.groups);
-    std::uint64_t per_group = std::numeric_limits<std::uint64_t>::max();
-    double seconds = std::numeric_limits<double>::infinity();
-    if (const auto* budget = std::get_if<SampleBudget>(&session_.budget)) {
-      const double share = settings_.seed_share * static_cast<double>(budget->samples);
-      per_group = std::max(settings_.fewest_seeds, static_cast<std::uint64_t>(share)) / groups;
-    } else {
-      seconds = settings_.seed_share / (1 + settings_.seed_share) *
-                std::get<TimeBudget>(session_.budget).seconds;
-    }
-    for (std::uint64_t done = 0; done < per_group;) {
-      const std::uint64_t count = std::min(seeds_per_round, per_group - done);
-      in_parallel([&](Chains& group) { group.add_seeds(count); });
-      done += count;
-      const double fraction = std::max(static_cast<double>(done) / static_cast<double>(per_group),
-                                       run_.seconds() / seconds);
-      run_.report({fraction, done * groups, run_.seconds(), "seed pass"});
-      if (fraction >= 1 || run_.is_interrupted()) break;
-    }
-  }
-
-  void start_chains() {
-    run_parallel(run_, settings_.groups, [&](int g) {
-      SeedTally others(space_.max_vertices());
-      for (int h = 0; h < settings_.groups; ++h)
-        if (h != g) others.merge(groups_[static_cast<std::size_t>(h)]->tally());
-      groups_[static_cast<std::size_t>(g)]->start_chains(others);
+  void seed_pass_of(std::uint64_t steps) {
+    const double share = settings_.seed_share * static_cast<double>(steps);
+    const std::uint64_t per_group =
+        std::max(settings_.fewest_seeds, static_cast<std::uint64_t>(share)) / groups_.count();
+    add_seeds(per_group, [per_group](std::uint64_t done) {
+      return static_cast<double>(done) / static_cast<double>(per_group);
     });
   }
+  void seed_pass_until(double seconds) {
+    const std::uint64_t groups = groups_.count();
+    Pace pace(run_.spent(), seconds, seeds_per_round * groups);
+    std::uint64_t done = 0;
+    for (double now = run_.spent(); done == 0 || !pace.is_over(now); now = run_.spent()) {
+      const std::uint64_t count = pace.next(now, done) / groups + 1;
+      groups_.add_seeds(count);
+      done += count * groups;
+      report(now / std::get<TimeBudget>(session_.budget).seconds, done, "seed pass");
+      if (run_.is_interrupted()) return;
+    }
+  }
 
-  SeedTally merged_tally() const {
-    SeedTally tally(space_.max_vertices());
-    for (const auto& group : groups_) tally.merge(group->tally());
-    return tally;
+  // In a time budget a step is taken to cost as much as a sample of the seed pass, which is too
+  // much for most; how many steps an error takes is not known, so none are expected.
+  std::uint64_t expected_steps(std::uint64_t seeds) const {
+    if (const auto* budget = std::get_if<SampleBudget>(&session_.budget)) return budget->samples;
+    const auto* budget = std::get_if<TimeBudget>(&session_.budget);
+    if (!budget) return 0;
+    const double now = run_.spent();
+    return static_cast<std::uint64_t>(static_cast<double>(seeds) *
+                                      std::max(0.0, budget->seconds - now) / std::max(now, 1e-9));
+  }
+  // Of each group.
+  int chains_for(std::uint64_t steps) const {
+    if (settings_.steps_per_chain == 0) return settings_.chains_per_group;
+    const auto most = static_cast<std::uint64_t>(settings_.chains_per_group);
+    const std::uint64_t enough = steps / settings_.steps_per_chain / groups_.count();
+    return static_cast<int>(std::clamp<std::uint64_t>(enough, 1, most));
   }
 
   Rendering run_to(double target, const char* method, const SeedTally& tally, double seed_seconds) {
@@ -159,31 +165,40 @@ class ChainRenderer {
     }
   }
 
-  // The steps are shared evenly by the groups that take any.
   void run_chains(std::uint64_t target) {
-    std::vector<Chains*> active;
-    for (const auto& group : groups_)
-      if (group->takes_steps()) active.push_back(group.get());
-    const auto count = static_cast<std::uint64_t>(active.size());
-    const auto* budget = std::get_if<TimeBudget>(&session_.budget);
-    const double seconds = budget ? budget->seconds : std::numeric_limits<double>::infinity();
-    std::uint64_t done = 0;
-    for (const Chains* group : active) done += group->steps();
-    while (done < target) {
-      const std::uint64_t round = std::min(steps_per_round * count, target - done);
-      run_parallel(run_, static_cast<int>(count), [&](int i) {
-        const auto k = static_cast<std::uint64_t>(i);
-        const std::uint64_t goal = (done + round) / count + (k < (done + round) % count ? 1 : 0);
-        active[k]->advance(goal - active[k]->steps());
-      });
-      done += round;
-      const double of_steps = static_cast<double>(done) / static_cast<double>(target);
-      const double fraction = std::holds_alternative<ErrorBudget>(session_.budget)
-                                  ? fraction_of_error_
-                                  : std::max(of_steps, run_.seconds() / seconds);
-      run_.report({fraction, done, run_.seconds(), "sampling"});
-      if (run_.seconds() >= seconds || run_.is_interrupted()) break;
+    while (groups_.steps() < target) {
+      const std::uint64_t next = groups_.steps() + steps_per_round * groups_.active();
+      groups_.advance_to(std::min(next, target));
+      const auto done = static_cast<double>(groups_.steps());
+      report(std::holds_alternative<ErrorBudget>(session_.budget)
+                 ? fraction_of_error_
+                 : done / static_cast<double>(target),
+             groups_.steps(), "sampling");
+      if (run_.is_interrupted()) return;
     }
+  }
+
+  // end() does what comes after the steps: it is rehearsed once, so that its time is known.
+  template <class End>
+  void run_chains_until(double seconds, End&& end) {
+    const double begin = run_.spent(), rehearsal = begin + rehearsed_after * (seconds - begin);
+    bool is_rehearsed = false;
+    Pace pace(begin, rehearsal, steps_per_round * groups_.active());
+    double now = begin;
+    do {
+      groups_.advance_to(groups_.steps() + pace.next(now, groups_.steps()));
+      report(now / seconds, groups_.steps(), "sampling");
+      if (run_.is_interrupted()) return;
+      now = run_.spent();
+      if (is_rehearsed || !pace.is_over(now)) continue;
+      is_rehearsed = true;
+      end();
+      const double before = std::exchange(now, run_.spent());
+      pace.end_at(seconds - (now - before));
+    } while (!pace.is_over(now));
+  }
+  void report(double fraction, std::uint64_t samples, const char* phase) {
+    run_.report({fraction, samples, run_.seconds(), phase});
   }
 
   Rendering rendering(const char* method, const SeedTally& tally, double seed_seconds) const {
@@ -203,10 +218,19 @@ class ChainRenderer {
     r.samples = statistics.steps();
     r.seed = session_.seed;
     r.threads = run_.threads();
-    r.seconds = run_.seconds();
     r.seed_seconds = seed_seconds;
-    normalize(r, film);
     r.groups = settings_.groups;
+    run_within(run_, [&] {
+      normalize(r, film);
+      judge(r, tally, draws, statistics);
+    });
+    r.seconds = run_.seconds();
+    r.processor_seconds = run_.processor_seconds();
+    return r;
+  }
+
+  void judge(Rendering& r, const SeedTally& tally, const ChainDraws& draws,
+             const MutationStatistics& statistics) const {
     ChainsRecord chains;
     if (draws.chains() > 0) {
       chains = diagnostics(draws);
@@ -217,7 +241,6 @@ class ChainRenderer {
     for (std::string& warning : warnings({tally, draws, chains, statistics,
                                           static_cast<std::size_t>(settings_.chains_per_group)}))
       r.warnings.push_back(std::move(warning));
-    return r;
   }
 
   // `unbiased`: the mean of what each group says by its own slice of the seed pass.
@@ -245,7 +268,7 @@ class ChainRenderer {
   ChainSettings settings_;
   Run run_;
   double fraction_of_error_ = 0;  // of the way to the target, when last seen
-  std::vector<std::unique_ptr<Chains>> groups_;
+  ChainGroups<Space, Chains> groups_;
 };
 
 // Chains of a kernel in path space; other groups are named by the caller.

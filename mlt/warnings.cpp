@@ -11,6 +11,8 @@
 #include <span>
 
 #include "core/film.h"
+#include "core/run.h"
+#include "mlt/chain_settings.h"
 #include "mlt/deposit.h"
 
 namespace wander {
@@ -85,27 +87,34 @@ std::string few_seeds(const SeedTally& seeds, std::size_t chains) {
       static_cast<int>(seeds.effective_samples()), chains);
 }
 
-// R̂² - 1 falls with the length of the chains.
-std::string slow_mixing(const ChainsRecord& chains) {
-  std::vector<std::string> parts;
-  double worst = 1;
-  for (const FunctionalRecord& f : chains.functionals) {
-    if (!(f.r_hat > largest_r_hat)) continue;
-    parts.push_back(fmt::format(
-        "{} ({})", std::isinf(f.r_hat) ? "infinite" : fmt::format("{:.3f}", f.r_hat), f.name));
-    worst = std::max(worst, f.r_hat);
-  }
-  if (parts.empty()) return "";
-  const double factor = (worst * worst - 1) / (largest_r_hat * largest_r_hat - 1);
+// What makes chains so many times longer: first fewer of them, then a larger budget.
+std::string remedy(double factor, std::size_t chains_per_group) {
+  if (factor >= largest_factor)
+    return "no budget below 100 times as large would do; try other mutations, or bdpt";
+  const auto times = [](double x) { return fmt::format("{:.{}f}", x, x < 10 ? 1 : 0); };
+  constexpr int groups = ChainSettings{}.groups;
+  const auto most = static_cast<double>(chains_per_group);
+  if (factor <= most && chains_per_group > 1)
+    return fmt::format("--chains {} would do", groups * static_cast<int>(most / factor));
+  const std::string fewer =
+      chains_per_group > 1 ? fmt::format("--chains {} and ", groups) : std::string();
+  return fmt::format("{}a budget {} times as large would do", fewer, times(factor / most));
+}
+
+// Of the place on the film alone: what else is slow, and tells on the film, tells there.  R̂² - 1
+// falls with the length of the chains.
+std::string slow_mixing(const Evidence& evidence) {
+  const auto& functionals = evidence.chains.functionals;
+  const auto film = std::ranges::find(functionals, "film", &FunctionalRecord::name);
+  if (film == functionals.end() || !(film->r_hat > largest_r_hat)) return "";
+  const double factor = (film->r_hat * film->r_hat - 1) / (largest_r_hat * largest_r_hat - 1);
   return fmt::format(
-      "the chains of about {} mutations are short for their mixing: R-hat is {}, above {}, so "
-      "their "
-      "effective sample sizes are rough; {}",
-      chains.draws * chains.stride, fmt::join(parts, ", "), largest_r_hat,
-      factor < largest_factor
-          ? fmt::format("a budget {:.{}f} times as large would do", factor, factor < 10 ? 1 : 0)
-          : std::string(
-                "no budget below 100 times as large would do; try other mutations, or bdpt"));
+      "the chains of about {} mutations are short for their mixing: R-hat of their place on the "
+      "film is {}, above {}; the error bars know that, but the effective sample sizes are rough; "
+      "{}",
+      evidence.chains.draws * evidence.chains.stride,
+      std::isinf(film->r_hat) ? "infinite" : fmt::format("{:.3f}", film->r_hat), largest_r_hat,
+      remedy(factor, evidence.chains_per_group));
 }
 
 std::string disagreeing_groups(const Evidence& evidence) {
@@ -113,8 +122,12 @@ std::string disagreeing_groups(const Evidence& evidence) {
   if (groups < static_cast<std::size_t>(GroupsFilm::fewest_groups)) return "";
   double worst = 1;
   std::string_view name;
-  for (std::size_t k = 0; k < functional_names.size(); ++k) {
-    const Disagreement found = disagreement(evidence.draws.of(k), evidence.chains_per_group);
+  std::array<Disagreement, functional_names.size()> all;
+  in_parallel(all.size(), [&](std::size_t k) {
+    all[k] = disagreement(evidence.draws.of(k), evidence.chains_per_group);
+  });
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Disagreement& found = all[k];
     if (!(found.p_value < disagreement_false_alarm) || found.ratio <= worst) continue;
     worst = found.ratio;
     name = functional_names[k];
@@ -181,8 +194,9 @@ std::vector<std::string> warnings(const Evidence& evidence) {
   } else if (evidence.seeds.effective_samples() < static_cast<double>(chains)) {
     all.push_back(few_seeds(evidence.seeds, chains));
   }
-  all.push_back(slow_mixing(evidence.chains));
-  all.push_back(disagreeing_groups(evidence));
+  const std::string disagreement = disagreeing_groups(evidence);
+  // Groups that disagree are of chains that are short, and a worse matter.
+  all.push_back(disagreement.empty() ? slow_mixing(evidence) : disagreement);
   all.push_back(few_groups(evidence.statistics, chains / evidence.chains_per_group));
   std::erase_if(all, [](const std::string& warning) { return warning.empty(); });
   return all;

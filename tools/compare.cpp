@@ -14,6 +14,7 @@
 #include "tools/console.h"
 #include "tools/failure.h"
 #include "tools/interruption.h"
+#include "tools/load_warning.h"
 #include "tools/methods.h"
 #include "tools/output_place.h"
 #include "tools/parsing.h"
@@ -89,6 +90,20 @@ void collect_warnings(Runs& runs) {
         runs.contenders[runs.failures.front().contender].label, runs.failures.front().message));
 }
 
+// Once for all runs together.
+void warn_of_load(const Plan& plan, Runs& runs) {
+  if (!is_of_wall_time(plan.budgets.back().budget)) return;
+  double seconds = 0, processor_seconds = 0;
+  int threads = 1;
+  for (const compare::Run& run : runs.runs) {
+    seconds += run.seconds;
+    processor_seconds += run.processor_seconds;
+  }
+  for (const Rendering& rendering : runs.details) threads = std::max(threads, rendering.threads);
+  if (std::string load = load_warning(seconds, processor_seconds, threads); !load.empty())
+    runs.warnings.push_back(std::move(load));
+}
+
 void require_some(const Runs& runs) {
   if (!runs.runs.empty()) return;
   if (!runs.complete)
@@ -115,6 +130,7 @@ Runs runs_of(const SceneDocument& document, const Plan& plan, const CompareOptio
   }
   runs.reference = *std::move(reference);
   collect_warnings(runs);
+  warn_of_load(plan, runs);
   return runs;
 }
 

@@ -16,8 +16,9 @@ namespace {
 std::string chains_help() {
   constexpr ChainSettings usual;
   return fmt::format(
-      "chains of all {0} groups together, a multiple of {0} (default: {1}); the fewer, the longer",
-      usual.groups, usual.groups * usual.chains_per_group);
+      "chains of all {0} groups together, a multiple of {0} (default: {0}, and up to {1} where the "
+      "budget gives each {2} mutations); the fewer, the longer",
+      usual.groups, usual.groups * usual.chains_per_group, usual.steps_per_chain);
 }
 std::string seed_share_help() {
   return fmt::format(
@@ -66,6 +67,7 @@ const std::vector<Dial>& table() {
       {"chains", "N", chains_help(), for_counted_chains,
        [](Dials& dials, std::string_view text) {
          dials.chains.chains_per_group = parse_chains(text);
+         dials.chains.steps_per_chain = 0;
        }},
       {"seed_share", "X", seed_share_help(), for_chains,
        [](Dials& dials, std::string_view text) {

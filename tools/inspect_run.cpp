@@ -41,7 +41,8 @@ std::string share(const ordered_json& value) {
 
 // What a film.exr does not hold is left out, not shown as zero.
 void leave_out_what_an_image_lacks(ordered_json& json) {
-  for (const char* key : {"threads", "seconds", "seed_seconds", "precision"}) json.erase(key);
+  for (const char* key : {"threads", "seconds", "cpu_seconds", "seed_seconds", "precision"})
+    json.erase(key);
   if (!json.contains("mutations")) return;
   for (ordered_json& mutation : json["mutations"])
     for (const char* key : {"accepted", "failures", "seconds", "squared_jump",

@@ -33,10 +33,11 @@ Rendering render(const description::Scene& described, std::string_view method, c
   description::Scene description = described;
   description.max_vertices = dials.max_vertices.value_or(described.max_vertices);
   require_precision(dials.precision, description);
-  Rendering rendering =
-      dials.precision == Precision::of_float
-          ? WorldMethods<FlatlandSingle>(description, dials, session).render(method)
-          : WorldMethods<Flatland>(description, dials, session).render(method);
+  Session begun = session;
+  begun.begun = session.clock->now();
+  Rendering rendering = dials.precision == Precision::of_float
+                            ? WorldMethods<FlatlandSingle>(description, dials, begun).render(method)
+                            : WorldMethods<Flatland>(description, dials, begun).render(method);
   rendering.precision = name_of(dials.precision);
   return rendering;
 }

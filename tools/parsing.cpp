@@ -57,6 +57,19 @@ std::optional<double> quantity_in(std::string_view text, std::span<const Unit> u
   return std::nullopt;
 }
 
+// Wall time, or processor time where `cpu-` stands before the unit.
+std::optional<TimeBudget> time_in(std::string_view text) {
+  constexpr std::string_view of_processors = "cpu-";
+  const std::size_t found = text.find(of_processors);
+  if (found == std::string_view::npos) {
+    const auto seconds = quantity_in(text, time_units);
+    return seconds ? std::optional(TimeBudget{*seconds}) : std::nullopt;
+  }
+  std::string plain(text);
+  const auto seconds = quantity_in(plain.erase(found, of_processors.size()), time_units);
+  return seconds ? std::optional(TimeBudget{*seconds, TimeKind::processor}) : std::nullopt;
+}
+
 std::pair<std::string, double> weight_in(std::string_view item) {
   const std::size_t equals = item.find('=');
   const std::string_view word = item.substr(0, equals);
@@ -91,7 +104,7 @@ Budget parse_budget(std::string_view text) {
     throw UsageError(fmt::format(
         "budget '{}': allowed are relative errors above 0 and below 1, such as error<0.01", text));
   }
-  if (const auto seconds = quantity_in(text, time_units)) return TimeBudget{*seconds};
+  if (const auto time = time_in(text)) return *time;
   const auto samples = quantity_in(text, sample_units);
   // Beyond 2^53 a count is no longer exact; 1.1k is 1100 even where its product is not.
   const double count = std::round(samples.value_or(0));
@@ -99,7 +112,7 @@ Budget parse_budget(std::string_view text) {
     return SampleBudget{static_cast<std::uint64_t>(count)};
   throw UsageError(
       fmt::format("budget '{}': allowed are samples (2000000, 300k, 5M), seconds of wall time "
-                  "(30s, 1.5s) and a "
+                  "(30s, 1.5s) or of processor time (30cpu-s), and a "
                   "relative error of the film (error<0.01)",
                   text));
 }

@@ -18,7 +18,8 @@ namespace wander {
 // The parts between the separators; an empty text is one empty part.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-// `2000000`, `300k`, `5M`, `2G` samples; `30s`, `1.5s` of wall time; `error<0.01`, of the film.
+// `2000000`, `300k`, `5M`, `2G` samples; `30s`, `1.5s` of wall time; `30cpu-s` of
+// processor time; `error<0.01`, of the film.
 Budget parse_budget(std::string_view text);
 
 // `auto` (no weights) or `WORD=WEIGHT,...` with the words of the catalogue of mutations.  What is

@@ -13,6 +13,7 @@
 #include "tools/dial_options.h"
 #include "tools/failure.h"
 #include "tools/interruption.h"
+#include "tools/load_warning.h"
 #include "tools/methods.h"
 #include "tools/output_place.h"
 #include "tools/parsing.h"
@@ -57,6 +58,11 @@ Rendering rendering_of(const SceneDocument& document, const RenderOptions& optio
                         .interrupted = &watch_for_interruption(),
                         .report = progress.reporter()};
   Rendering rendering = render(document.scene, options.method->name, options.given->dials, session);
+  if (is_of_wall_time(options.budget))
+    if (std::string load =
+            load_warning(rendering.seconds, rendering.processor_seconds, rendering.threads);
+        !load.empty())
+      rendering.warnings.push_back(std::move(load));
   std::vector<std::string> warnings = scene_warnings(document, options.scene);
   rendering.warnings.insert(rendering.warnings.begin(), warnings.begin(), warnings.end());
   return rendering;
@@ -93,7 +99,8 @@ std::string methods_help() {
 }
 
 constexpr const char* details = R"(
-A budget is a number of samples (2000000, 300k, 5M), seconds of wall time (30s, 1.5s), or the
+A budget is a number of samples (2000000, 300k, 5M), seconds of wall time (30s, 1.5s), seconds of
+processor time, of all threads together, which other work on the machine does not use up (30cpu-s), or the
 relative error of the film, sqrt(sum of se^2 / sum of value^2), at which to stop ('error<0.01').
 The same seed and number of samples, or error, give the same film, whatever the number of threads.
 

@@ -149,6 +149,7 @@ ordered_json to_json(const RunRecord& run) {
                     {"seed", rendering.seed},
                     {"threads", rendering.threads},
                     {"seconds", json_of(rendering.seconds)},
+                    {"cpu_seconds", json_of(rendering.processor_seconds)},
                     {"seed_seconds", json_of(rendering.seed_seconds)},
                     {"precision", rendering.precision},
                     {"film", json_of(rendering.film, provenance.dimension)}};

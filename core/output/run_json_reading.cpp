@@ -117,6 +117,7 @@ Rendering rendering_from(const ordered_json& json) {
   rendering.seed = json.at("seed");
   rendering.threads = json.at("threads");
   rendering.seconds = number_from(json.at("seconds"));
+  rendering.processor_seconds = number_from(json.value("cpu_seconds", ordered_json()));
   rendering.seed_seconds = number_from(json.at("seed_seconds"));
   rendering.precision = json.at("precision");
   rendering.film = film_from(json.at("film"));

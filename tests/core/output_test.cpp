@@ -88,6 +88,7 @@ RunRecord markov_chain_run() {
   rendering.seed = std::numeric_limits<std::uint64_t>::max();
   rendering.threads = 3;
   rendering.seconds = 1.25;
+  rendering.processor_seconds = 2.125;
   rendering.seed_seconds = 0.25;
   rendering.film.shape = {3};
   rendering.film.value = {0.1, 1e-30, 1 / 3.0};
@@ -268,10 +269,11 @@ TEST(RunJson, ADocumentSaysWhatTheContractSays) {
   const nlohmann::ordered_json json = to_json(markov_chain_run());
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
-  EXPECT_EQ(keys, (std::vector<std::string>{"schema", "complete", "scene", "dimension", "method",
-                                            "samples", "seed", "threads", "seconds", "seed_seconds",
-                                            "precision", "film", "normalization", "chains",
-                                            "mutations", "command_line", "version", "warnings"}));
+  EXPECT_EQ(keys,
+            (std::vector<std::string>{
+                "schema", "complete", "scene", "dimension", "method", "samples", "seed", "threads",
+                "seconds", "cpu_seconds", "seed_seconds", "precision", "film", "normalization",
+                "chains", "mutations", "command_line", "version", "warnings"}));
   EXPECT_EQ(json["schema"], "wanderlight-run/1");
   EXPECT_EQ(json["film"]["shape"], nlohmann::ordered_json({3}));
   EXPECT_EQ(json["film"]["value"][2].get<double>(), 1 / 3.0);

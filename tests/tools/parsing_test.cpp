@@ -25,6 +25,16 @@ TEST(Budget, CountsAndTimesHaveUnits) {
   EXPECT_EQ(seconds("1.5s"), 1.5);
 }
 
+TEST(Budget, TimeIsOfTheWallOrOfTheProcessors) {
+  EXPECT_EQ(std::get<TimeBudget>(parse_budget("30s")).kind, TimeKind::wall);
+  const TimeBudget budget = std::get<TimeBudget>(parse_budget("1.5cpu-s"));
+  EXPECT_EQ(budget.seconds, 1.5);
+  EXPECT_EQ(budget.kind, TimeKind::processor);
+  for (const char* text : {"cpu-s", "30cpu-", "30cpu", "30cpus", "0cpu-s", "30scpu-", "30cpu-cpu-s",
+                           "30cpu-k", "30cpu-M"})
+    EXPECT_THROW(parse_budget(text), UsageError) << text;
+}
+
 TEST(Budget, EverythingElseIsAUsageError) {
   for (const char* text :
        {"",    "soon", "s",       "M",       "0",       "-5",        "-1s",    "0s",

@@ -21,7 +21,7 @@ std::vector<NamedBudget> parse_budgets(std::string_view text);
 double effort_of(const Budget& budget);
 // Of the same kind as `like`; whole samples.
 Budget budget_of(double effort, const Budget& like);
-// "48s", "20000000": as -b takes it.
+// "48s", "48cpu-s", "20000000": as -b takes it.
 std::string text_of(const Budget& budget);
 
 }  // namespace wander::compare

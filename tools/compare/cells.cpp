@@ -135,7 +135,8 @@ MeasuredCell measure_cell(const CellRuns& runs, const Yardstick& yardstick, cons
   Cell& cell = result.cell;
   cell.replicates = runs.runs.size();
   if (runs.runs.empty()) return result;
-  cell.seconds = median_and_range(over_runs(runs, [](auto& r, auto&) { return r.seconds; }));
+  cell.seconds =
+      median_and_range(over_runs(runs, [&](auto& r, auto&) { return r.time(runs.time); }));
   cell.samples = median_and_range(
       over_runs(runs, [](auto& r, auto&) { return static_cast<double>(r.samples); }));
   std::vector<Distance> distances;

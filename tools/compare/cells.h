@@ -27,6 +27,7 @@ struct MeasuredCell {
 struct CellRuns {
   std::vector<const Run*> runs{};
   std::vector<const RunErrors*> errors{};
+  TimeKind time = TimeKind::wall;
 };
 
 // `reference` are draws_of_reference(); `stream` tells cells apart.

@@ -26,17 +26,18 @@ std::string to_csv(const Comparison& comparison) {
   const Runs& runs = comparison.runs;
   std::string text =
       "contender,method,dial,setting,budget,replicate,seed,samples,seconds,seed_seconds,"
-      "seed_samples";
+      "seed_samples,cpu_seconds";
   for (const auto& field : error_fields) text += fmt::format(",{}", field.name);
   text += '\n';
   for (std::size_t i = 0; i < runs.runs.size(); ++i) {
     const Run& run = runs.runs[i];
     const Contender& contender = runs.contenders.at(run.contender);
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{}", text_field(contender.label),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}", text_field(contender.label),
                         text_field(contender.method), text_field(contender.dial),
                         text_field(contender.setting), text_field(runs.budgets.at(run.budget)),
                         run.replicate + 1, run.seed, run.samples, without_sign_of_nan(run.seconds),
-                        without_sign_of_nan(run.seed_seconds), run.seed_samples);
+                        without_sign_of_nan(run.seed_seconds), run.seed_samples,
+                        without_sign_of_nan(run.processor_seconds));
     for (const auto& field : error_fields)
       text += fmt::format(",{}", without_sign_of_nan(comparison.errors.at(i).*field.member));
     text += '\n';

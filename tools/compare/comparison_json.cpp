@@ -74,6 +74,7 @@ ordered_json json_of(const Run& run, const RunErrors& errors, int dimension) {
                     {"seed", run.seed},
                     {"samples", run.samples},
                     {"seconds", json_of(run.seconds)},
+                    {"cpu_seconds", json_of(run.processor_seconds)},
                     {"seed_seconds", json_of(run.seed_seconds)},
                     {"seed_samples", run.seed_samples},
                     {"command", run.command}};
@@ -131,6 +132,7 @@ ordered_json to_json(const Comparison& comparison) {
                     {"contenders", list_of(runs.contenders)},
                     {"budgets", runs.budgets},
                     {"replicates", runs.replicates},
+                    {"time", runs.time == TimeKind::wall ? "wall" : "cpu"},
                     {"decisive_budget", comparison.decisive},
                     {"ranking", comparison.ranking},
                     {"target", json_of(comparison.target)},

@@ -75,6 +75,7 @@ void read(Run& run, const ordered_json& json) {
   run.seed = json.at("seed");
   run.samples = json.at("samples");
   read(run.seconds, json.at("seconds"));
+  read(run.processor_seconds, json.value("cpu_seconds", ordered_json()));
   read(run.seed_seconds, json.at("seed_seconds"));
   run.seed_samples = json.at("seed_samples");
   run.command = json.at("command");
@@ -105,6 +106,7 @@ Runs runs_from(const ordered_json& json, const std::string& place) {
   read(runs.contenders, json.at("contenders"));
   runs.budgets = json.at("budgets").get<std::vector<std::string>>();
   runs.replicates = json.at("replicates");
+  runs.time = json.value("time", "wall") == "cpu" ? TimeKind::processor : TimeKind::wall;
   runs.reference.origin = json.at("reference").at("origin");
   runs.reference.film = film_from_json(json.at("reference").at("film"));
   read(runs.runs, json.at("runs"));

@@ -51,7 +51,8 @@ Run run_of(const Plan& plan, const Turn& turn, const Rendering& rendering) {
           .seed_seconds = rendering.seed_seconds,
           .seed_samples = seed_samples_of(rendering),
           .film = rendering.film,
-          .command = command_of(plan, turn)};
+          .command = command_of(plan, turn),
+          .processor_seconds = rendering.processor_seconds};
 }
 
 std::string name_of(const Plan& plan, const Turn& turn) {
@@ -78,6 +79,7 @@ Runs prepared(const Plan& plan, Provenance provenance) {
   for (const Entrant& entrant : plan.entrants) runs.contenders.push_back(entrant.contender);
   for (const NamedBudget& budget : plan.budgets) runs.budgets.push_back(budget.text);
   runs.details.resize(plan.entrants.size());
+  runs.time = time_kind_of(plan.budgets.back().budget);
   return runs;
 }
 

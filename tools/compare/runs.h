@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/clock.h"
 #include "core/output/run_record.h"
 #include "core/rendering.h"
 
@@ -26,7 +27,10 @@ struct Run {
   double seed_seconds = 0;         // of which seed pass
   std::uint64_t seed_samples = 0;  // of the seed pass; 0 for independent samples
   FilmEstimate film;
-  std::string command{};  // that makes this run again, quoted for a shell
+  std::string command{};                 // that makes this run again, quoted for a shell
+  double processor_seconds = not_known;  // of all threads in `seconds`
+
+  double time(TimeKind kind) const { return kind == TimeKind::wall ? seconds : processor_seconds; }
 };
 
 // A rendering that gave no film: a chain that found no light to start from.
@@ -55,7 +59,8 @@ struct Runs {
   // samples where there is none.
   std::vector<Rendering> details{};
   std::vector<std::string> warnings{};
-  bool complete = true;  // false: interrupted
+  bool complete = true;            // false: interrupted
+  TimeKind time = TimeKind::wall;  // in which errors are told: that of the budgets
 };
 
 }  // namespace wander::compare

@@ -22,6 +22,7 @@ std::vector<CellRuns> runs_of_cells(const Comparison& comparison) {
       throw std::invalid_argument("a run is of a contender or a budget that does not exist");
     if (std::isnan(comparison.errors[i].mean)) continue;  // its film is not finite
     CellRuns& cell = cells[run.contender * runs.budgets.size() + run.budget];
+    cell.time = runs.time;
     cell.runs.push_back(&run);
     cell.errors.push_back(&comparison.errors[i]);
   }
@@ -58,9 +59,10 @@ std::vector<std::vector<ReplicatePoint>> replicates_of(const Comparison& compari
   for (std::size_t i = 0; i < comparison.runs.runs.size(); ++i) {
     const Run& run = comparison.runs.runs[i];
     const double square = comparison.errors[i].relative_mse;
-    if (run.contender != contender || std::isnan(square) || !(run.seconds > 0)) continue;
+    const double seconds = run.time(comparison.runs.time);
+    if (run.contender != contender || std::isnan(square) || !(seconds > 0)) continue;
     if (run.replicate >= replicates.size()) replicates.resize(run.replicate + 1);
-    replicates[run.replicate].push_back({square, run.seconds});
+    replicates[run.replicate].push_back({square, seconds});
   }
   return replicates;
 }

@@ -24,6 +24,10 @@ std::optional<figure::Range> range_of(const compare::Interval& interval, double 
   return figure::Range{unit * interval.low, unit * interval.high};
 }
 
+figure::Quantity quantity_of(TimeKind time) {
+  return {time == TimeKind::wall ? "time" : "processor time", "s"};
+}
+
 figure::Series curve(const Comparison& comparison, std::size_t contender, Measured Cell::*cost) {
   figure::Series series{.label = comparison.runs.contenders[contender].label,
                         .look = figure::look_of(contender)};
@@ -78,7 +82,7 @@ std::vector<Crossing> marked_crossings(const Comparison& comparison) {
 }
 
 std::string error_time_figure(const Comparison& comparison, const std::string& title) {
-  figure::Chart chart = error_chart(comparison, {"time", "s"}, &Cell::seconds);
+  figure::Chart chart = error_chart(comparison, quantity_of(comparison.runs.time), &Cell::seconds);
   for (const Crossing& crossing : marked_crossings(comparison))
     chart.guides.push_back({crossing.seconds.value, label_of(comparison, crossing)});
   return chart_document(std::move(chart), title, spoken(comparison));
@@ -111,7 +115,9 @@ std::string profile_figure(const Comparison& comparison) {
     panel.series.push_back(std::move(series));
   }
   return chart_document(
-      {.x = {.quantity = {"time", "s"}, .spacing = figure::Spacing::logarithmic, .range = range},
+      {.x = {.quantity = quantity_of(comparison.runs.time),
+             .spacing = figure::Spacing::logarithmic,
+             .range = range},
        .y = {.quantity = {"replicates at the target", "%"}, .range = figure::Range{0, 104}},
        .panels = {std::move(panel)},
        .panel_height = 120},

@@ -20,11 +20,11 @@ using compare::Measured;
 
 void write_curves(Html& html, const Subject& subject) {
   const std::vector<Crossing> marked = marked_crossings(subject.comparison);
-  std::string caption =
-      "Relative root mean square error over replicates against the wall time of sampling, seed "
-      "pass "
+  std::string caption = fmt::format(
+      "Relative root mean square error over replicates against the {} time of a run, seed pass "
       "included; bars are 95 % intervals, and lower left is better. Both axes are logarithmic: "
-      "independent samples fall along a slope of −1/2.";
+      "independent samples fall along a slope of −1/2.",
+      subject.runs().time == TimeKind::wall ? "wall" : "processor");
   if (!marked.empty())
     caption += " Dashed lines stand where one contender overtakes another for good.";
   write_figure(html, error_time_figure(subject.comparison, "Error against time"), caption);

@@ -111,12 +111,12 @@ TEST(Budgets, AreSortedAndAllOfOneKind) {
   EXPECT_EQ(budgets[0].text, "0.25s");
   EXPECT_EQ(budgets[2].text, "4s");
   EXPECT_EQ(effort_of(parse_budgets("20k")[0].budget), 20000);
-  for (const char* text : {"1s,20k", "1s,1.0s", "2k,2000", "", "1s,", "soon"})
+  for (const char* text : {"1s,20k", "1s,1.0s", "2k,2000", "", "1s,", "soon", "1s,2cpu-s"})
     EXPECT_NE(usage_error([&] { parse_budgets(text); }), "") << text;
 }
 
 TEST(Budgets, AreReadBackFromTheirText) {
-  for (const char* text : {"0.75s", "36s", "240000"}) {
+  for (const char* text : {"0.75s", "36s", "36cpu-s", "240000"}) {
     const Budget budget = parse_budgets(text)[0].budget;
     EXPECT_EQ(text_of(budget), text);
     EXPECT_EQ(effort_of(budget_of(2 * effort_of(budget), budget)), 2 * effort_of(budget));
