@@ -215,8 +215,8 @@ Rendering rendering_of(const Imf::Header& header, const Planes& planes, Size siz
   rendering.method = text_in(header, "method");
   rendering.samples = count_in(header, "samples");
   rendering.seed = count_in(header, "seed");
-  rendering.seconds = rendering.processor_seconds = rendering.seed_seconds =
-      std::numeric_limits<double>::quiet_NaN();
+  rendering.processor_seconds = std::numeric_limits<double>::quiet_NaN();
+  rendering.seconds = rendering.seed_seconds = std::numeric_limits<double>::quiet_NaN();
   FilmEstimate& film = rendering.film;
   film.shape = dimension_in(header) == 2 && size.height == 1 ? std::vector{size.width}
                                                              : std::vector{size.height, size.width};
