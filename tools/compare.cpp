@@ -164,8 +164,9 @@ std::string dials_help() {
 constexpr const char* details = R"(
 Every method runs R times at every budget, each time with a seed of its own.  Contenders take turns
 in an order that rotates, so that a machine that grows hot or busy harms all alike.  Budgets are all
-samples (300k, 5M) or all seconds (0.5s, 30s).  With samples, the same seed gives the same errors,
-whatever the number of threads.
+samples (300k, 5M), all seconds of wall time (0.5s, 30s) or all seconds of processor time, which other
+work on the machine does not use up (0.5cpu-s, 30cpu-s): then all times are of the processors.  With
+samples, the same seed gives the same errors, whatever the number of threads.
 
 A sweep adds, to each method that has the dial, one contender for each value, the other dials being
 as usual or as --dial says.  Several sweeps are made one after the other.  Values that hold commas

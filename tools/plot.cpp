@@ -174,7 +174,7 @@ void add_fluence_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& opt
   verb.add_option_function<std::string>(
           "-b,--budget",
           [options](const std::string& text) { options->fluence.budget = parse_budget(text); },
-          "how much to compute for it: walks of light (2M) or seconds (default: 5s)")
+          "how much to compute for it: walks of light (2M) or seconds (30s, 30cpu-s; default: 5s)")
       ->type_name("BUDGET");
   verb.add_option_function<std::string>(
           "--resolution",

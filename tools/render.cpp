@@ -100,8 +100,8 @@ std::string methods_help() {
 
 constexpr const char* details = R"(
 A budget is a number of samples (2000000, 300k, 5M), seconds of wall time (30s, 1.5s), seconds of
-processor time, of all threads together, which other work on the machine does not use up (30cpu-s), or the
-relative error of the film, sqrt(sum of se^2 / sum of value^2), at which to stop ('error<0.01').
+processor time (30cpu-s), of all threads together, which other work on the machine does not use up,
+or the relative error of the film, sqrt(sum of se^2 / sum of value^2), at which to stop ('error<0.01').
 The same seed and number of samples, or error, give the same film, whatever the number of threads.
 
 DIR receives film.exr, film.csv and run.json.  Ctrl-C saves what was computed so far.
