@@ -154,7 +154,8 @@ TEST_F(Warnings, SayThatChainsShareTheirSeeds) {
 TEST_F(Warnings, SayHowManyChainsWouldBeLongEnough) {
   const auto slow = warnings_of(draws_of({.phi = 0.8}, 1));
   ASSERT_EQ(slow.size(), 1u);
-  EXPECT_NE(slow[0].find("R-hat of their place on the film is 1.017"), std::string::npos) << slow[0];
+  EXPECT_NE(slow[0].find("R-hat of their place on the film is 1.017"), std::string::npos)
+      << slow[0];
   EXPECT_NE(slow[0].find("; --chains 128 would do"), std::string::npos) << slow[0];
 }
 
