@@ -71,7 +71,17 @@ void refuse_if_large(std::size_t size, const std::string& file) {
     refuse(file, fmt::format("the file is too large; a scene may have {} MiB", largest_file >> 20));
 }
 
-// Not more than it takes to see that there is too much: the file may be a device without end.
+// Not more than it takes to see that there is too much: the stream may have no end.
+std::string contents_of(std::istream& stream) {
+  std::string text;
+  std::string block(std::size_t{1} << 20, '\0');
+  while (stream && text.size() <= largest_file) {
+    stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+    text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
+  }
+  return text;
+}
+
 std::string contents_of(const std::filesystem::path& path) {
   const std::string file = path.string();
   std::error_code problem;
@@ -82,12 +92,7 @@ std::string contents_of(const std::filesystem::path& path) {
     refuse(file, "this is a directory; name a scene file in it");
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
-  std::string text;
-  std::string block(std::size_t{1} << 20, '\0');
-  while (stream && text.size() <= largest_file) {
-    stream.read(block.data(), static_cast<std::streamsize>(block.size()));
-    text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
-  }
+  std::string text = contents_of(stream);
   if (!stream.is_open() || stream.bad())
     refuse(file, fmt::format("the file cannot be read ({}); check its permissions",
                              std::generic_category().message(errno)));
@@ -115,6 +120,12 @@ SceneDocument parse_scene(std::string text, std::string_view name) {
   result.sha256 = sha256(text);
   result.text = std::move(text);
   return result;
+}
+
+SceneDocument read_scene(std::istream& stream, std::string_view name) {
+  std::string text = contents_of(stream);
+  if (stream.bad()) refuse(std::string(name), "the stream cannot be read");
+  return parse_scene(std::move(text), name);
 }
 
 SceneDocument read_scene_file(const std::filesystem::path& path) {

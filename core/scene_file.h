@@ -7,6 +7,7 @@
 #pragma once
 
 #include <filesystem>
+#include <iosfwd>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -33,8 +34,9 @@ class SceneFileError : public std::runtime_error {
   const std::vector<Fault> faults;
 };
 
-// The name stands for the file in messages.  Both throw SceneFileError.
+// The name stands for the file in messages.  All throw SceneFileError.
 SceneDocument parse_scene(std::string text, std::string_view name);
+SceneDocument read_scene(std::istream& stream, std::string_view name);
 SceneDocument read_scene_file(const std::filesystem::path& path);
 
 }  // namespace wander

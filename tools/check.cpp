@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "tools/check_report.h"
 #include "tools/console.h"
@@ -32,6 +33,7 @@ struct CheckOptions {
   std::string scene;
   std::shared_ptr<DialOptions> given = std::make_shared<DialOptions>();
   std::uint64_t samples = 200'000;
+  std::optional<SceneDocument> document;  // once it is read
 };
 
 std::uint64_t parse_samples(std::string_view text) {
@@ -65,7 +67,6 @@ class Parts {
 CheckReport check(const SceneDocument& document, const CheckOptions& options,
                   const Session& session) {
   const Dials& dials = options.given->dials;
-  require_precision(dials.precision, document.scene);
   const Family family = make_family(dials.family(), requires_of(document.scene));
   const std::size_t mutations = selectable(family).size(), mixtures = mutations > 1 ? 1 : 0;
   const std::size_t kernels = mutations + mixtures, methods = checked_methods().size();
@@ -99,11 +100,22 @@ CheckReport check(const SceneDocument& document, const CheckOptions& options,
   return report;
 }
 
+void examine(CheckOptions& options, const Global& global, Examination& examination) {
+  examination.part([&] {
+    if (!global.out.empty()) throw UsageError("check writes no files; --json prints one document");
+  });
+  if (options.scene.empty()) return;
+  examination.part([&] {
+    const Dials& dials = options.given->dials;
+    SceneDocument document = open_scene(options.scene);
+    if (dials.max_vertices) document.scene.max_vertices = *dials.max_vertices;
+    require_precision(dials.precision, document.scene);
+    options.document = std::move(document);
+  });
+}
+
 ExitCode check_scene(const CheckOptions& options, const Global& global) {
-  if (!global.out.empty()) throw UsageError("check writes no files; --json prints one document");
-  SceneDocument document = open_scene(options.scene);
-  const Dials& dials = options.given->dials;
-  if (dials.max_vertices) document.scene.max_vertices = *dials.max_vertices;
+  const SceneDocument& document = *options.document;
   for (const std::string& warning : scene_warnings(document, options.scene))
     spdlog::warn("{}", warning);
   CheckReport report;
@@ -129,9 +141,7 @@ void add_check(CLI::App& app, Global& global) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* verb = app.add_subcommand(
       "check", "test that each mutation leaves the target invariant and that the methods agree");
-  verb->add_option("SCENE", options->scene, "scene file, or gallery:NAME")
-      ->type_name("")
-      ->required();
+  verb->add_option("SCENE", options->scene, scene_help)->type_name("")->required();
   add_dial_options(*verb, chain_dials, options->given);
   verb->add_option_function<std::string>(
           "--samples",
@@ -143,6 +153,9 @@ void add_check(CLI::App& app, Global& global) {
       "\nEach mutation, and their mixture, starts from weighted independent paths and makes 1 and "
       "20\nsteps; films are compared bin by bin.  Exit code 4 when anything fails.\n\n"
       "Example:\n  wander check scene.json --samples 1M");
+  examine_with(*verb, global, [options, &global](Examination& examination) {
+    examine(*options, global, examination);
+  });
   verb->callback([options, &global] {
     global.job = [options, &global] { return check_scene(*options, global); };
   });

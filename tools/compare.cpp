@@ -36,6 +36,9 @@ struct CompareOptions {
   std::string reference = "auto";
   std::vector<std::string> fixed, sweeps;
   double target = not_known;
+  // Once they are read.
+  std::optional<Plan> plan;
+  std::optional<SceneDocument> document;
 };
 
 Plan plan_of(const CompareOptions& options, const Global& global) {
@@ -58,9 +61,24 @@ SceneDocument scene_for(const Plan& plan) {
   SceneDocument document = open_scene(plan.source);
   const Dials& base = plan.entrants.front().dials;
   document.scene.max_vertices = base.max_vertices.value_or(document.scene.max_vertices);
-  for (const Entrant& entrant : plan.entrants)
-    require_possible(entrant.contender.method, document.scene);
   return document;
+}
+
+void examine(CompareOptions& options, const Global& global, Examination& examination) {
+  examination.part([&] {
+    if (global.out.empty() && !global.json)
+      throw UsageError("compare needs -o DIR (where the tables go), or --json, or both");
+    if (!global.out.empty()) require_replaceable_directory(global.out, global);
+  });
+  examination.part([&] { options.plan = plan_of(options, global); });
+  if (options.scene.empty()) return;
+  examination.part([&] {
+    // Faults of the scene are told even where nothing is known of the contenders.
+    options.document = options.plan ? scene_for(*options.plan) : open_scene(options.scene);
+  });
+  if (!options.plan || !options.document) return;
+  for (const Entrant& entrant : options.plan->entrants)
+    examination.part([&] { require_possible(entrant.contender.method, options.document->scene); });
 }
 
 // What is known before anything is measured.
@@ -135,10 +153,8 @@ Runs runs_of(const SceneDocument& document, const Plan& plan, const CompareOptio
 }
 
 ExitCode compare_methods(const CompareOptions& options, const Global& global) {
-  if (global.out.empty() && !global.json)
-    throw UsageError("compare needs -o DIR (where the tables go), or --json, or both");
-  const Plan plan = plan_of(options, global);
-  const SceneDocument document = scene_for(plan);
+  const Plan& plan = *options.plan;
+  const SceneDocument& document = *options.document;
   std::optional<OutputDirectory> directory;
   if (!global.out.empty()) directory.emplace(global.out, global);
 
@@ -164,9 +180,9 @@ std::string dials_help() {
 constexpr const char* details = R"(
 Every method runs R times at every budget, each time with a seed of its own.  Contenders take turns
 in an order that rotates, so that a machine that grows hot or busy harms all alike.  Budgets are all
-samples (300k, 5M), all seconds of wall time (0.5s, 30s) or all seconds of processor time, which other
-work on the machine does not use up (0.5cpu-s, 30cpu-s): then all times are of the processors.  With
-samples, the same seed gives the same errors, whatever the number of threads.
+samples (300k, 5M), all wall time (500ms, 30s, 2min) or all processor time, which other work on the
+machine does not use up (0.5cpu-s, 30cpu-s): then all times are of the processors.  With samples, the
+same seed gives the same errors, whatever the number of threads.
 
 A sweep adds, to each method that has the dial, one contender for each value, the other dials being
 as usual or as --dial says.  Several sweeps are made one after the other.  Values that hold commas
@@ -194,9 +210,7 @@ void add_compare(CLI::App& app, Global& global) {
   auto options = std::make_shared<CompareOptions>();
   CLI::App* verb =
       app.add_subcommand("compare", "error against time and samples, method against method");
-  verb->add_option("SCENE", options->scene, "scene file, or gallery:NAME")
-      ->type_name("")
-      ->required();
+  verb->add_option("SCENE", options->scene, scene_help)->type_name("")->required();
   verb->add_option("-m,--methods", options->methods, "as of render (default: bdpt,mlt)")
       ->type_name("METHOD,...");
   verb->add_option("-b,--budgets", options->budgets,
@@ -225,6 +239,9 @@ void add_compare(CLI::App& app, Global& global) {
       ->type_name("E");
   add_global_options(*verb, global);
   verb->footer("\n" + dials_help() + details);
+  examine_with(*verb, global, [options, &global](Examination& examination) {
+    examine(*options, global, examination);
+  });
   verb->callback([options, &global] {
     global.job = [options, &global] { return compare_methods(*options, global); };
   });

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "tools/console.h"
+#include "tools/output_place.h"
 #include "tools/scene_source.h"
 #include "tools/verb.h"
 
@@ -33,29 +34,32 @@ ordered_json listing() {
   return {{"schema", "wanderlight-gallery/1"}, {"scenes", std::move(scenes)}};
 }
 
-void print_listing() {
+std::string listing_text() {
   std::string text;
   const ordered_json list = listing();
   for (const ordered_json& scene : list["scenes"])
     text += fmt::format("{:<20} {}\n", scene["name"].get<std::string>(),
                         scene["description"].get<std::string>());
-  print_data(text);
+  return text;
+}
+
+// With -o the text is written there, as it would be to stdout, where --json still prints.
+ExitCode show(const std::string& text, const ordered_json& document, const Global& global) {
+  if (!global.out.empty()) {
+    require_replaceable(global.out, global);
+    write_output(global.out, text);
+  }
+  if (global.json)
+    print_json(document);
+  else if (global.out.empty())
+    print_data(text);
+  return ExitCode::ok;
 }
 
 ExitCode show_gallery(const std::string& name, const Global& global) {
-  if (name.empty()) {
-    if (global.json)
-      print_json(listing());
-    else
-      print_listing();
-    return ExitCode::ok;
-  }
+  if (name.empty()) return show(listing_text(), listing(), global);
   const GalleryScene& scene = gallery_scene(name);
-  if (global.json)
-    print_json(document_of(scene));
-  else
-    print_data(scene.text);
-  return ExitCode::ok;
+  return show(scene.text, document_of(scene), global);
 }
 
 }  // namespace
@@ -66,7 +70,7 @@ void add_gallery(CLI::App& app, Global& global) {
   verb->add_option("NAME", *name, "print this scene's file")->type_name("");
   add_global_options(*verb, global);
   verb->footer(
-      "\nExample:\n  wander gallery NAME > scene.json\n\n"
+      "\nExample:\n  wander gallery NAME -o scene.json\n\n"
       "Verbs that take a SCENE also take gallery:NAME.");
   verb->callback(
       [name, &global] { global.job = [name, &global] { return show_gallery(*name, global); }; });

@@ -1,5 +1,6 @@
 // The options that every verb shares.
 #include <CLI/CLI.hpp>
+#include <utility>
 
 #include "tools/parsing.h"
 #include "tools/verb.h"
@@ -23,7 +24,7 @@ void add_global_options(CLI::App& verb, Global& global) {
       ->group(group);
   verb.add_option_function<std::string>(
           "-o,--out", [&global](const std::string& text) { global.out = text; },
-          "where the output goes")
+          "where the output goes; - is standard output, where that is possible")
       ->type_name("PATH")
       ->group(group);
   verb.add_flag("--force", global.force, "replace an output that exists")->group(group);
@@ -35,6 +36,11 @@ void add_global_options(CLI::App& verb, Global& global) {
           "auto (default: a bar on a terminal), bar, json or none")
       ->type_name("HOW")
       ->group(group);
+}
+
+void examine_with(CLI::App& verb, Global& global, std::function<void(Examination&)> examine) {
+  verb.preparse_callback(
+      [&global, examine = std::move(examine)](std::size_t) { global.examine = examine; });
 }
 
 }  // namespace wander

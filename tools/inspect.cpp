@@ -66,17 +66,19 @@ ExitCode show_scene(const SceneDocument& scene, const InspectOptions& options,
 }
 
 ExitCode inspect(const InspectOptions& options, const Global& global) {
-  const bool in_gallery = options.file.starts_with(gallery_prefix);
-  const std::optional<RunRecord> run = in_gallery ? std::nullopt : find_run(options.file);
+  if (!global.out.empty())
+    throw UsageError("inspect writes no files; it prints, with --json one document");
+  const bool is_a_scene = is_scene(options.file);
+  const std::optional<RunRecord> run = is_a_scene ? std::nullopt : find_run(options.file);
   if (run) return show_run(*run, options, global);
   if (!options.reference.empty())
     throw UsageError("--reference compares two runs, and " + options.file + " is not a run");
-  if (!in_gallery)
+  if (!is_a_scene)
     if (const auto comparison = compare::find_comparison(options.file))
       return show_comparison(*comparison, global);
   if (std::filesystem::is_directory(options.file))
     throw RunFileError(options.file + ": a directory without a run.json or a compare.json");
-  if (!in_gallery)
+  if (!is_a_scene)
     if (const auto trajectory = find_trajectory(options.file))
       return show_trajectory(*trajectory, global);
   return show_scene(open_scene(options.file), options, global);
@@ -88,10 +90,10 @@ void add_inspect(CLI::App& app, Global& global) {
   auto options = std::make_shared<InspectOptions>();
   CLI::App* verb = app.add_subcommand(
       "inspect", "say what a scene requires, or what a run, trajectory or comparison holds");
-  verb->add_option(
-          "FILE", options->file,
-          "a scene file, gallery:NAME, a run.json or compare.json, its directory, a film.exr, or a "
-          "trajectory")
+  verb->add_option("FILE", options->file,
+                   "a scene file, gallery:NAME, - (a scene from standard input), a run.json or "
+                   "compare.json, its directory, a film.exr, or a "
+                   "trajectory")
       ->type_name("")
       ->required();
   verb->add_option("--reference", options->reference, "hold the run against this one")

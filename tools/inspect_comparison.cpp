@@ -78,8 +78,7 @@ std::string text_of_comparison(const Comparison& comparison) {
   text += fmt::format("  scene           {}\n", runs.provenance.scene_name.empty()
                                                     ? "without a name"
                                                     : runs.provenance.scene_name);
-  text += fmt::format("  made by         {} (version {})\n", runs.provenance.command_line,
-                      runs.provenance.version);
+  text += made_by_lines(runs.provenance);
   for (const std::string& warning : runs.warnings)
     text += fmt::format("  warning         {}\n", warning);
   return text;

@@ -63,14 +63,25 @@ ordered_json inspect_run(const RunRecord& run) {
   return json;
 }
 
+std::string made_by_lines(const Provenance& provenance) {
+  const Origin& origin = provenance.origin;
+  std::string text = fmt::format("  made by         {} (version {})\n", provenance.command_line,
+                                 provenance.version);
+  if (!origin.commit.empty())
+    text += fmt::format("  built           from commit {} by {}, {}\n", origin.commit,
+                        origin.compiler, origin.build_type);
+  if (!origin.date.empty())
+    text += fmt::format("  run             {} on {}\n", origin.date, origin.cpu);
+  return text;
+}
+
 std::string text_of_run(const RunRecord& run) {
   const Provenance& provenance = run.provenance;
   std::string text = summary_of(run.rendering);
   text += fmt::format("  scene           {}\n",
                       provenance.scene_name.empty() ? "without a name" : provenance.scene_name);
   text += fmt::format("  scene sha256    {}\n", provenance.scene_sha256);
-  text += fmt::format("  made by         {} (version {})\n", provenance.command_line,
-                      provenance.version);
+  text += made_by_lines(provenance);
   for (const std::string& warning : run.rendering.warnings)
     text += fmt::format("  warning         {}\n", warning);
   return text;

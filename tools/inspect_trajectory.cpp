@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/output/run_json.h"
 #include "tools/inspection.h"
 #include "tools/summary.h"
 #include "tools/wording.h"
@@ -96,7 +97,8 @@ ordered_json inspect_trajectory(const TrajectoryRecord& record) {
           {"reasons", json_of(counts(t.reasons, t.reason))},
           {"classes", json_of(counts(t.classes, t.state.path_class))},
           {"command_line", record.provenance.command_line},
-          {"version", record.provenance.version}};
+          {"version", record.provenance.version},
+          {"provenance", to_json(record.provenance.origin)}};
 }
 
 std::string text_of_trajectory(const TrajectoryRecord& record) {
@@ -116,8 +118,7 @@ std::string text_of_trajectory(const TrajectoryRecord& record) {
                                                     ? "without a name"
                                                     : record.provenance.scene_name);
   text += fmt::format("  scene sha256    {}\n", record.provenance.scene_sha256);
-  return text + fmt::format("  made by         {} (version {})\n", record.provenance.command_line,
-                            record.provenance.version);
+  return text + made_by_lines(record.provenance);
 }
 
 }  // namespace wander

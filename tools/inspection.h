@@ -27,6 +27,9 @@ std::string text_of_comparison(const nlohmann::ordered_json& comparison);
 nlohmann::ordered_json inspect_trajectory(const TrajectoryRecord& record);
 std::string text_of_trajectory(const TrajectoryRecord& record);
 
+// The command, version, build, machine and date, as lines for people.
+std::string made_by_lines(const Provenance& provenance);
+
 // Of many runs: `wander compare`.  Without films.
 nlohmann::ordered_json inspect_comparison(const compare::Comparison& comparison);
 std::string text_of_comparison(const compare::Comparison& comparison);

@@ -10,6 +10,7 @@
 #include "core/output/atomic_file.h"
 #include "core/output/run_files.h"
 #include "tools/compare/outputs.h"
+#include "tools/console.h"
 #include "tools/failure.h"
 
 namespace wander {
@@ -22,14 +23,20 @@ fs::path directory_of(const fs::path& file) {
   return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-void require_our_own(const fs::path& directory, const Global& global) {
+// What a directory holds, in the words of a message.
+const char* contents_of(const fs::path& directory) {
+  if (holds_run(directory)) return "a run";
+  if (compare::holds_comparison(directory)) return "a comparison";
+  return "files that this program did not make";
+}
+
+void require_empty(const fs::path& directory, const Global& global) {
   std::error_code error;
   const bool empty = fs::is_empty(directory, error);
   if (error) throw OutputError(directory.string(), error.value());
-  if (empty || global.force || holds_run(directory) || compare::holds_comparison(directory)) return;
-  throw UsageError(fmt::format(
-      "{} holds files that this program did not make; choose another place or add --force",
-      directory.string()));
+  if (empty || global.force) return;
+  throw UsageError(fmt::format("{} holds {}; choose another place, or add --force to replace it",
+                               directory.string(), contents_of(directory)));
 }
 
 // The directories that must be made so that `path` exists, outermost first.
@@ -50,12 +57,42 @@ fs::path without_trailing_slash(const fs::path& path) {
 
 }  // namespace
 
+bool is_standard_output(const fs::path& path) { return path == "-"; }
+
 void require_replaceable(const fs::path& file, const Global& global) {
+  if (is_standard_output(file)) {
+    if (global.json)
+      throw UsageError(
+          "-o - and --json both write to standard output; name a file, or leave out --json");
+    return;
+  }
   std::error_code error;
   const fs::file_status status = fs::status(file, error);
   if (fs::is_directory(status)) throw OutputError(file.string(), EISDIR);
-  if (!fs::is_regular_file(status) || global.force || holds_run(directory_of(file))) return;
+  if (!fs::is_regular_file(status) || global.force) return;
   throw UsageError(fmt::format("{} exists; add --force to replace it", file.string()));
+}
+
+void require_replaceable_directory(const fs::path& path, const Global& global) {
+  if (is_standard_output(path))
+    throw UsageError(
+        "-o - is standard output, and this output is a directory of files; --json prints its "
+        "document there");
+  std::error_code error;
+  const fs::path directory = without_trailing_slash(path);
+  const fs::file_status status = fs::status(directory, error);
+  if (fs::is_directory(status)) {
+    require_empty(directory, global);
+  } else if (fs::exists(status)) {
+    throw OutputError(directory.string(), ENOTDIR);
+  }
+}
+
+void write_output(const fs::path& file, std::string_view bytes) {
+  if (is_standard_output(file))
+    print_data(bytes);
+  else
+    write_file(file, bytes);
 }
 
 void require_writable_directory(const fs::path& file) {
@@ -70,13 +107,7 @@ void require_writable_directory(const fs::path& file) {
 
 OutputDirectory::OutputDirectory(const fs::path& path, const Global& global)
     : path_(without_trailing_slash(path)) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path_, error);
-  if (fs::is_directory(status)) {
-    require_our_own(path_, global);
-  } else if (fs::exists(status)) {
-    throw OutputError(path_.string(), ENOTDIR);
-  }
+  require_replaceable_directory(path_, global);
   for (const fs::path& directory : missing_directories(path_)) {
     if (mkdir(directory.c_str(), 0777) != 0 && errno != EEXIST) {
       const int reason = errno;

@@ -1,25 +1,36 @@
-// Where outputs may go: nothing of the user's is replaced without --force.
+// Where outputs may go: nothing that exists is replaced without --force.
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "tools/verb.h"
 
 namespace wander {
 
+// `-o -`
+bool is_standard_output(const std::filesystem::path& path);
+
 // Throws UsageError if `file` exists and may not be replaced.  Allowed are --force, pipes and
-// devices, and files beside a run that the program itself wrote.
+// devices, and standard output unless --json has it.
 void require_replaceable(const std::filesystem::path& file, const Global& global);
+// The same of a directory, which may be empty: what it holds, a finished run or an interrupted one
+// or a comparison too, is replaced only with --force.
+void require_replaceable_directory(const std::filesystem::path& path, const Global& global);
 // Throws OutputError if no file can be made in the directory of `file`; pipes and devices need
 // none.
 void require_writable_directory(const std::filesystem::path& file);
 
-// The directory of a run, made when this object is and gone again with it if nothing was written.
+// To the file, whole or not at all, or to standard output.
+void write_output(const std::filesystem::path& file, std::string_view bytes);
+
+// The directory of a run or comparison, made when this object is and gone again with it if nothing
+// was written.
 class OutputDirectory {
  public:
-  // An existing directory must be empty, hold a run or comparison of the program, or be forced.
-  // Throws UsageError or OutputError, before anything is computed.
+  // Throws UsageError if the directory may not be replaced, OutputError if nothing can be written
+  // there; before anything is computed.
   OutputDirectory(const std::filesystem::path& path, const Global& global);
   ~OutputDirectory();
   OutputDirectory(const OutputDirectory&) = delete;

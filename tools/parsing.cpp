@@ -43,8 +43,18 @@ struct Unit {
   std::string_view suffix;
   double factor;
 };
-constexpr std::array time_units{Unit{"s", 1}};
+constexpr std::array time_units{Unit{"ms", 1e-3}, Unit{"min", 60}, Unit{"h", 3600}, Unit{"s", 1}};
 constexpr std::array sample_units{Unit{"k", 1e3}, Unit{"M", 1e6}, Unit{"G", 1e9}, Unit{"", 1}};
+
+// A share between 0 and 1, also in percent.
+std::optional<double> share_in(std::string_view text) {
+  const bool is_percent = text.ends_with('%');
+  if (is_percent) text.remove_suffix(1);
+  const auto number = number_in<double>(text);
+  const double share = number.value_or(0) / (is_percent ? 100 : 1);
+  if (!(share > 0 && share < 1)) return std::nullopt;
+  return share;
+}
 
 // A positive number followed by one of the units, in terms of the base unit.
 std::optional<double> quantity_in(std::string_view text, std::span<const Unit> units) {
@@ -99,10 +109,11 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 Budget parse_budget(std::string_view text) {
   constexpr std::string_view error = "error<";
   if (text.starts_with(error)) {
-    const auto target = number_in<double>(text.substr(error.size()));
-    if (target && *target > 0 && *target < 1) return ErrorBudget{*target};
-    throw UsageError(fmt::format(
-        "budget '{}': allowed are relative errors above 0 and below 1, such as error<0.01", text));
+    if (const auto target = share_in(text.substr(error.size()))) return ErrorBudget{*target};
+    throw UsageError(
+        fmt::format("budget '{}': allowed are relative errors above 0 and below 1, such as "
+                    "error<0.01 or error<1%",
+                    text));
   }
   if (const auto time = time_in(text)) return *time;
   const auto samples = quantity_in(text, sample_units);
@@ -111,9 +122,9 @@ Budget parse_budget(std::string_view text) {
   if (samples && count >= 1 && count <= 0x1p53 && std::abs(*samples - count) <= 1e-12 * count)
     return SampleBudget{static_cast<std::uint64_t>(count)};
   throw UsageError(
-      fmt::format("budget '{}': allowed are samples (2000000, 300k, 5M), seconds of wall time "
-                  "(30s, 1.5s) or of processor time (30cpu-s), and a "
-                  "relative error of the film (error<0.01)",
+      fmt::format("budget '{}': allowed are samples (2000000, 300k, 5M), wall time (1500ms, 30s, "
+                  "5min, 2h), processor time (30cpu-s) and a relative error of the film "
+                  "(error<0.01, error<1%)",
                   text));
 }
 
@@ -209,11 +220,9 @@ std::uint64_t parse_count(std::string_view what, std::string_view text, std::uin
 }
 
 double parse_share(std::string_view what, std::string_view text) {
-  const auto share = number_in<double>(text);
-  if (!share || !(*share > 0 && *share < 1))
-    throw UsageError(
-        fmt::format("{} '{}': allowed is a number above 0 and below 1, such as 0.01", what, text));
-  return *share;
+  if (const auto share = share_in(text)) return *share;
+  throw UsageError(fmt::format(
+      "{} '{}': allowed is a number above 0 and below 1, such as 0.01 or 1%", what, text));
 }
 
 std::pair<std::uint64_t, std::uint64_t> parse_pair(std::string_view what, std::string_view text) {

@@ -18,8 +18,8 @@ namespace wander {
 // The parts between the separators; an empty text is one empty part.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-// `2000000`, `300k`, `5M`, `2G` samples; `30s`, `1.5s` of wall time; `30cpu-s` of
-// processor time; `error<0.01`, of the film.
+// `2000000`, `300k`, `5M`, `2G` samples; `1500ms`, `30s`, `5min`, `2h` of wall time, `30cpu-s` of
+// processor time; `error<0.01`, `error<1%` of the film.
 Budget parse_budget(std::string_view text);
 
 // `auto` (no weights) or `WORD=WEIGHT,...` with the words of the catalogue of mutations.  What is
@@ -51,7 +51,7 @@ int parse_max_vertices(std::string_view text);
 // A whole number from `low` to `high`; `what` names it in the message.
 std::uint64_t parse_count(std::string_view what, std::string_view text, std::uint64_t low,
                           std::uint64_t high);
-// A number above 0 and below 1.
+// A number above 0 and below 1, also in percent.
 double parse_share(std::string_view what, std::string_view text);
 // `A:B`, two whole numbers from 0 to 2^53.
 std::pair<std::uint64_t, std::uint64_t> parse_pair(std::string_view what, std::string_view text);

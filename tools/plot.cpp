@@ -7,7 +7,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "core/output/atomic_file.h"
 #include "core/output/trajectory_netcdf.h"
 #include "tools/compare/comparison_json.h"
 #include "tools/console.h"
@@ -38,9 +37,9 @@ std::string scene_svg(const PlotOptions& options) {
     throw RunFileError(file + ": a directory without a run.json");
   const description::Scene scene = open_scene(file).scene;
   if (options.files.size() > 1)
-    throw UsageError(file + " is a scene; scenes are drawn one at a time");
+    throw UsageError(shown_name(file) + " is a scene; scenes are drawn one at a time");
   if (!options.reference.empty())
-    throw UsageError("--reference is drawn into films, and " + file + " is a scene");
+    throw UsageError("--reference is drawn into films, and " + shown_name(file) + " is a scene");
   if (scene.dimension != 2) throw UsageError(file + ": plot draws two-dimensional scenes");
   return figure::scene_figure(scene, {.title = options.title.value_or(scene.name)});
 }
@@ -57,7 +56,7 @@ std::string comparison_svg(const compare::Comparison& comparison, const PlotOpti
 // Which kind of file the first one is decides; a scene is what is nothing else.
 Figure figure_of(const PlotOptions& options) {
   const std::string& file = options.files.front();
-  const bool is_file = !file.starts_with(gallery_prefix) && std::filesystem::is_regular_file(file);
+  const bool is_file = !is_scene(file) && std::filesystem::is_regular_file(file);
   if (is_file)
     if (const auto record = find_trajectory(file))
       return {"trajectory", trajectory_svg(*record, options)};
@@ -65,7 +64,7 @@ Figure figure_of(const PlotOptions& options) {
     throw UsageError(file +
                      " is no trajectory, which --figure, --draws, --chain, --mutation and --class "
                      "are for; `wander trace` records one");
-  if (!file.starts_with(gallery_prefix))
+  if (!is_scene(file))
     if (const auto comparison = compare::find_comparison(file))
       return {"comparison", comparison_svg(*comparison, options)};
   if (const std::optional<Film> film = find_film(file)) return {"film", film_svg(*film, options)};
@@ -83,12 +82,18 @@ void require_sensible(const PlotOptions& options, const Global& global) {
         "with it");
 }
 
-ExitCode plot(const PlotOptions& options, const Global& global) {
-  require_sensible(options, global);
-  require_replaceable(global.out, global);
+// What is drawn is read, and with it its faults are found; misread words are not taken for files.
+void examine(PlotOptions& options, const Global& global, Figure& figure, Examination& examination) {
+  const bool words_are_known = examination.is_passed();
+  examination.part([&] { require_sensible(options, global); });
+  examination.part([&] { require_replaceable(global.out, global); });
+  if (words_are_known && !options.fluence.wanted)
+    examination.part([&] { figure = figure_of(options); });
+}
+
+ExitCode plot(const PlotOptions& options, const Global& global, const Figure& figure) {
   if (options.fluence.wanted) return plot_fluence(options, global);
-  const Figure figure = figure_of(options);
-  write_file(global.out, figure.svg);
+  write_output(global.out, figure.svg);
   if (global.json)
     print_json({{"schema", "wanderlight-plot/1"},
                 {"kind", figure.kind},
@@ -210,7 +215,8 @@ void add_plot(CLI::App& app, Global& global) {
   CLI::App* verb = app.add_subcommand(
       "plot", "draw a scene, films, a comparison, a trajectory or light as a figure");
   verb->add_option("FILE", options->files,
-                   "a scene file, gallery:NAME, runs (directory, run.json or film.exr), a "
+                   "a scene file, gallery:NAME, - (a scene from standard input), runs (directory, "
+                   "run.json or film.exr), a "
                    "comparison (directory or compare.json), or a trajectory (FILE.nc)")
       ->required();
   verb->add_option("--title", options->title, "instead of the name of the scene")
@@ -220,8 +226,13 @@ void add_plot(CLI::App& app, Global& global) {
   add_fluence_options(*verb, options);
   add_global_options(*verb, global);
   verb->footer(details);
-  verb->callback(
-      [options, &global] { global.job = [options, &global] { return plot(*options, global); }; });
+  auto figure = std::make_shared<Figure>();
+  examine_with(*verb, global, [options, figure, &global](Examination& examination) {
+    examine(*options, global, *figure, examination);
+  });
+  verb->callback([options, figure, &global] {
+    global.job = [options, figure, &global] { return plot(*options, global, *figure); };
+  });
 }
 
 }  // namespace wander

@@ -56,7 +56,7 @@ figure::LabelledFilm reference_film(const Film& film) {
 }  // namespace
 
 std::optional<Film> find_film(const std::string& path) {
-  std::optional<RunRecord> run = path.starts_with(gallery_prefix) ? std::nullopt : find_run(path);
+  std::optional<RunRecord> run = is_scene(path) ? std::nullopt : find_run(path);
   if (!run) return std::nullopt;
   if (run->provenance.dimension != 2)
     throw UsageError(path +

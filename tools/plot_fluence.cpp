@@ -5,9 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/fluence.h"
-#include "core/output/atomic_file.h"
 #include "core/output/exr.h"
-#include "core/output/version.h"
 #include "tools/console.h"
 #include "tools/failure.h"
 #include "tools/figure/fluence_figure.h"
@@ -28,7 +26,7 @@ constexpr int most_cells = 1 << 22;
 enum class Form { svg, exr };
 
 Form form_of(const std::filesystem::path& out) {
-  if (out.extension() == ".svg") return Form::svg;
+  if (out.extension() == ".svg" || is_standard_output(out)) return Form::svg;
   if (out.extension() == ".exr") return Form::exr;
   throw UsageError(
       fmt::format("{}: the picture of fluence is a figure, FILE.svg, or an image, "
@@ -68,13 +66,7 @@ Rendering picture_of(const description::Scene& scene, const PlaneGrid& grid,
 }
 
 std::string image(const SceneDocument& document, const Rendering& picture, const Global& global) {
-  return to_exr({picture,
-                 {.scene_name = document.scene.name,
-                  .scene_text = document.text,
-                  .scene_sha256 = document.sha256,
-                  .dimension = document.scene.dimension,
-                  .command_line = global.command_line,
-                  .version = program_version()}});
+  return to_exr({picture, provenance_of(document, global.command_line)});
 }
 
 }  // namespace
@@ -84,10 +76,10 @@ ExitCode plot_fluence(const PlotOptions& options, const Global& global) {
   const SceneDocument document = scene_for(options);
   const PlaneGrid grid = grid_for(document.scene, options);
   const Rendering picture = picture_of(document.scene, grid, options, global);
-  write_file(global.out, form == Form::exr
-                             ? image(document, picture, global)
-                             : figure::fluence_figure(document.scene, grid, picture,
-                                                      options.title.value_or(document.scene.name)));
+  write_output(global.out, form == Form::exr ? image(document, picture, global)
+                                             : figure::fluence_figure(
+                                                   document.scene, grid, picture,
+                                                   options.title.value_or(document.scene.name)));
   if (!global.quiet)
     print_note(
         fmt::format("fluence: {} walks of light, {} x {} cells from ({:.6g}, {:.6g}) to "

@@ -31,13 +31,8 @@ struct RenderOptions {
   const MethodName* method = nullptr;
   Budget budget = TimeBudget{5};
   std::shared_ptr<DialOptions> given = std::make_shared<DialOptions>();
+  std::optional<SceneDocument> document;  // once it is read
 };
-
-void require_sensible(const RenderOptions& options, const Global& global) {
-  if (global.out.empty() && !global.json)
-    throw UsageError("render needs -o DIR (where the film goes), or --json, or both");
-  options.given->require_for(options.method->name);
-}
 
 SceneDocument scene_for(const RenderOptions& options) {
   SceneDocument document = open_scene(options.scene);
@@ -47,6 +42,22 @@ SceneDocument scene_for(const RenderOptions& options) {
                 document.scene.shapes.size(), document.scene.materials.size(),
                 document.scene.max_vertices, document.sha256);
   return document;
+}
+
+void examine(RenderOptions& options, const Global& global, Examination& examination) {
+  examination.part([&] {
+    if (global.out.empty() && !global.json)
+      throw UsageError("render needs -o DIR (where the film goes), or --json, or both");
+    if (!global.out.empty()) require_replaceable_directory(global.out, global);
+  });
+  if (options.method) examination.part([&] { options.given->require_for(options.method->name); });
+  if (options.scene.empty()) return;
+  examination.part([&] { options.document = scene_for(options); });
+  if (!options.document) return;
+  examination.part(
+      [&] { require_precision(options.given->dials.precision, options.document->scene); });
+  if (options.method)
+    examination.part([&] { require_possible(options.method->name, options.document->scene); });
 }
 
 Rendering rendering_of(const SceneDocument& document, const RenderOptions& options,
@@ -69,9 +80,7 @@ Rendering rendering_of(const SceneDocument& document, const RenderOptions& optio
 }
 
 ExitCode render_scene(const RenderOptions& options, const Global& global) {
-  require_sensible(options, global);
-  const SceneDocument document = scene_for(options);
-  require_possible(options.method->name, document.scene);
+  const SceneDocument& document = *options.document;
   std::optional<OutputDirectory> directory;
   if (!global.out.empty()) directory.emplace(global.out, global);
 
@@ -99,9 +108,10 @@ std::string methods_help() {
 }
 
 constexpr const char* details = R"(
-A budget is a number of samples (2000000, 300k, 5M), seconds of wall time (30s, 1.5s), seconds of
-processor time (30cpu-s), of all threads together, which other work on the machine does not use up,
-or the relative error of the film, sqrt(sum of se^2 / sum of value^2), at which to stop ('error<0.01').
+A budget is a number of samples (2000000, 300k, 5M), wall time (1500ms, 30s, 5min, 2h), processor
+time (30cpu-s), of all threads together, which other work on the machine does not use up, or the
+relative error of the film, sqrt(sum of se^2 / sum of value^2), at which to stop ('error<0.01', or
+'error<1%').
 The same seed and number of samples, or error, give the same film, whatever the number of threads.
 
 DIR receives film.exr, film.csv and run.json.  Ctrl-C saves what was computed so far.
@@ -115,9 +125,7 @@ Example:
 void add_render(CLI::App& app, Global& global) {
   auto options = std::make_shared<RenderOptions>();
   CLI::App* verb = app.add_subcommand("render", "estimate the film of a scene with one method");
-  verb->add_option("SCENE", options->scene, "scene file, or gallery:NAME")
-      ->type_name("")
-      ->required();
+  verb->add_option("SCENE", options->scene, scene_help)->type_name("")->required();
   verb->add_option_function<std::string>(
           "-m,--method",
           [options](const std::string& text) { options->method = &parse_method(text); },
@@ -132,6 +140,9 @@ void add_render(CLI::App& app, Global& global) {
   add_dial_options(*verb, options->given);
   add_global_options(*verb, global);
   verb->footer("\n" + methods_help() + details);
+  examine_with(*verb, global, [options, &global](Examination& examination) {
+    examine(*options, global, examination);
+  });
   verb->callback([options, &global] {
     global.job = [options, &global] { return render_scene(*options, global); };
   });

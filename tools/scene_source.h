@@ -1,4 +1,5 @@
-// Where a verb's SCENE comes from: a scene file, or `gallery:NAME` for one that is built in.
+// Where a verb's SCENE comes from: a scene file, `gallery:NAME` for one that is built in, or `-`
+// for standard input.
 #pragma once
 
 #include <string>
@@ -12,6 +13,13 @@
 namespace wander {
 
 inline constexpr std::string_view gallery_prefix = "gallery:";
+
+inline constexpr const char* scene_help = "scene file, gallery:NAME, or - for standard input";
+
+// True if it cannot be anything else: `gallery:NAME` or `-`.
+bool is_scene(std::string_view source);
+// As messages call it: `-` is <stdin>.
+std::string shown_name(const std::string& source);
 
 // Throws SceneFileError for an invalid scene, UsageError for an unknown name.
 SceneDocument open_scene(const std::string& source);

@@ -12,7 +12,6 @@
 #include "core/output/atomic_file.h"
 #include "core/output/trajectory_csv.h"
 #include "core/output/trajectory_netcdf.h"
-#include "core/output/version.h"
 #include "tools/console.h"
 #include "tools/dial_options.h"
 #include "tools/failure.h"
@@ -49,6 +48,7 @@ struct TraceOptions {
     std::uint64_t step;
   };
   std::optional<Step> replay;
+  std::optional<SceneDocument> document;  // once it is read
 };
 
 void require_traceable(const TraceOptions& options) {
@@ -70,10 +70,18 @@ void require_traceable(const TraceOptions& options) {
 
 bool is_csv(const Global& global) { return global.out.extension() == ".csv"; }
 
-void require_sensible_output(const Global& global) {
+void require_sensible_output(const TraceOptions& options, const Global& global) {
+  if (options.replay) {
+    if (global.out.empty()) return;
+    throw UsageError("--replay prints one step and writes no file; leave out -o");
+  }
   if (global.out.empty() && !global.json)
     throw UsageError("trace needs -o FILE.nc (or FILE.csv), or --json, or both");
   if (global.out.empty()) return;
+  if (is_standard_output(global.out))
+    throw UsageError(
+        "-o - is standard output, where no netCDF file can be made; write FILE.nc, or FILE.csv for "
+        "rows of text");
   require_replaceable(global.out, global);
   require_writable_directory(global.out);
 }
@@ -105,12 +113,7 @@ TrajectoryRecord record_of(const SceneDocument& document, const TraceOptions& op
           .method = options.method,
           .seed = global.seed,
           .normalization = trace.normalization,
-          .provenance = {.scene_name = document.scene.name,
-                         .scene_text = document.text,
-                         .scene_sha256 = document.sha256,
-                         .dimension = document.scene.dimension,
-                         .command_line = global.command_line,
-                         .version = program_version()}};
+          .provenance = provenance_of(document, global.command_line)};
 }
 
 void write(const TrajectoryRecord& record, const description::Scene& scene, const Global& global) {
@@ -119,7 +122,6 @@ void write(const TrajectoryRecord& record, const description::Scene& scene, cons
 
 ExitCode record_chains(const SceneDocument& document, const TraceOptions& options,
                        const Session& session, const Global& global) {
-  require_sensible_output(global);
   const TraceRequest request{options.chains, window_of(options)};
   Trace trace =
       wander::trace(document.scene, options.method, options.given->dials, session, request);
@@ -149,8 +151,6 @@ ExitCode record_chains(const SceneDocument& document, const TraceOptions& option
 
 ExitCode replay_step(const SceneDocument& document, const TraceOptions& options,
                      const Session& session, const Global& global) {
-  if (!global.out.empty())
-    throw UsageError("--replay prints one step and writes no file; leave out -o");
   const Replay step = replay(document.scene, options.given->dials, session, options.replay->chain,
                              options.replay->step);
   if (global.json)
@@ -160,11 +160,22 @@ ExitCode replay_step(const SceneDocument& document, const TraceOptions& options,
   return ExitCode::ok;
 }
 
+void examine(TraceOptions& options, const Global& global, Examination& examination) {
+  examination.part([&] { require_sensible_output(options, global); });
+  examination.part([&] { require_traceable(options); });
+  examination.part([&] { window_of(options); });
+  if (options.scene.empty()) return;
+  examination.part([&] {
+    const Dials& dials = options.given->dials;
+    SceneDocument document = open_scene(options.scene);
+    if (dials.max_vertices) document.scene.max_vertices = *dials.max_vertices;
+    require_precision(dials.precision, document.scene);
+    options.document = std::move(document);
+  });
+}
+
 ExitCode trace_scene(const TraceOptions& options, const Global& global) {
-  require_traceable(options);
-  SceneDocument document = open_scene(options.scene);
-  const Dials& dials = options.given->dials;
-  if (dials.max_vertices) document.scene.max_vertices = *dials.max_vertices;
+  const SceneDocument& document = *options.document;
   for (const std::string& warning : scene_warnings(document, options.scene))
     spdlog::warn("{}", warning);
   Progress progress(global);
@@ -209,9 +220,7 @@ void add_trace_options(CLI::App& verb, const std::shared_ptr<TraceOptions>& opti
                           auto&& parse) {
     verb.add_option_function<std::string>(name, parse, help)->type_name(type);
   };
-  verb.add_option("SCENE", options->scene, "scene file, or gallery:NAME")
-      ->type_name("")
-      ->required();
+  verb.add_option("SCENE", options->scene, scene_help)->type_name("")->required();
   option("-m,--method", "METHOD", "mlt (the default) or mmlt",
          [options](const std::string& text) { options->method = parse_method(text).name; });
   add_dial_options(verb, chain_dials, options->given);
@@ -238,6 +247,9 @@ void add_trace(CLI::App& app, Global& global) {
   add_trace_options(*verb, options);
   add_global_options(*verb, global);
   verb->footer(details);
+  examine_with(*verb, global, [options, &global](Examination& examination) {
+    examine(*options, global, examination);
+  });
   verb->callback([options, &global] {
     global.job = [options, &global] { return trace_scene(*options, global); };
   });

@@ -1,7 +1,8 @@
 // The shape of a verb.  Each lives in one short file and offers `void add_VERB(CLI::App&,
 // Global&)`: it adds its subcommand, calls `add_global_options` on it, and as the subcommand's
 // callback leaves in `global.job` what is to be done.  main() runs the job once the whole command
-// line is parsed.
+// line is parsed.  `examine_with` says how all faults of the command are found together, also when
+// the line has others.
 //
 //   void add_greet(CLI::App& app, Global& global) {
 //     auto name = std::make_shared<std::string>();
@@ -18,6 +19,7 @@
 #include <functional>
 #include <string>
 
+#include "tools/examination.h"
 #include "tools/exit_code.h"
 
 namespace CLI {
@@ -38,11 +40,14 @@ struct Global {
   std::uint64_t seed = 1;
   std::filesystem::path out;  // empty: no output was asked for
   ProgressMode progress = ProgressMode::automatic;
-  std::string command_line;       // as typed, quoted for a shell; goes into every output
-  std::function<ExitCode()> job;  // what the chosen verb does
+  std::string command_line;  // as typed, quoted for a shell; goes into every output
+  // Whether the chosen verb can do what is asked; options may be missing.
+  std::function<void(Examination&)> examine;
+  std::function<ExitCode()> job;  // what the chosen verb does, once it passed
 };
 
 void add_global_options(CLI::App& verb, Global& global);
+void examine_with(CLI::App& verb, Global& global, std::function<void(Examination&)> examine);
 
 void add_render(CLI::App& app, Global& global);
 void add_trace(CLI::App& app, Global& global);

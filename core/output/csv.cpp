@@ -56,11 +56,11 @@ std::vector<double> bin_centers(const Scene& scene) {
 }
 
 std::string to_csv(const FilmEstimate& film, const std::vector<double>& centers) {
-  std::string text = "bin,center,value,standard_error\n";
+  std::string text = "bin,center,value,standard_error,reliable\n";
   for (std::size_t i = 0; i < film.value.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{}\n", i, centers.at(i),
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{:d}\n", i, centers.at(i),
                    without_sign_of_nan(film.value[i]),
-                   without_sign_of_nan(film.standard_error.at(i)));
+                   without_sign_of_nan(film.standard_error.at(i)), film.reliable.at(i));
   return text;
 }
 

@@ -1,6 +1,6 @@
-// `film.csv` of a film with one row of bins: bin,center,value,standard_error.  Numbers are written
-// with the digits that read back to the same double, whatever the locale; an unknown error is
-// `nan`.
+// `film.csv` of a film with one row of bins: bin,center,value,standard_error,reliable.  Numbers are
+// written with the digits that read back to the same double, whatever the locale; an unknown error
+// is `nan`; a bin is reliable (1) or not (0).
 #pragma once
 
 #include <string>

@@ -102,6 +102,8 @@ Imf::Header header_of(const RunRecord& run, const Planes& planes) {
   insert_text(header, "scene_sha256", run.provenance.scene_sha256);
   insert_text(header, "command_line", run.provenance.command_line);
   insert_text(header, "wanderlight_version", run.provenance.version);
+  for (const OriginField& field : origin_fields)
+    insert_text(header, field.name, run.provenance.origin.*field.member);
   insert_text(header, "method", rendering.method);
   insert_text(header, "seed", std::to_string(rendering.seed));
   insert_text(header, "samples", std::to_string(rendering.samples));
@@ -130,6 +132,13 @@ std::string text_in(const Imf::Header& header, const char* name) {
   const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(name);
   if (attribute == nullptr) throw std::runtime_error(fmt::format("it has no attribute '{}'", name));
   return attribute->value();
+}
+
+Origin origin_in(const Imf::Header& header) {
+  Origin origin;
+  for (const OriginField& field : origin_fields)
+    if (header.find(field.name) != header.end()) origin.*field.member = text_in(header, field.name);
+  return origin;
 }
 
 double number_in(const Imf::Header& header, const char* name) {
@@ -242,10 +251,13 @@ RunRecord run_of(const std::filesystem::path& path) {
   Imf::InputFile file(path.c_str(), 0);
   const Imf::Header& header = file.header();
   const Size size = plausible_size(header, std::filesystem::file_size(path));
-  const Provenance provenance{
-      text_in(header, "scene_name"),   text_in(header, "scene"),
-      text_in(header, "scene_sha256"), dimension_in(header),
-      text_in(header, "command_line"), text_in(header, "wanderlight_version")};
+  const Provenance provenance{text_in(header, "scene_name"),
+                              text_in(header, "scene"),
+                              text_in(header, "scene_sha256"),
+                              dimension_in(header),
+                              text_in(header, "command_line"),
+                              text_in(header, "wanderlight_version"),
+                              origin_in(header)};
   return {rendering_of(header, read_planes(file, size), size), provenance};
 }
 

@@ -74,6 +74,7 @@ class Reader {
     std::size_t dimension(const std::string& name) const;
 
     std::string text(const std::string& name) const;
+    bool has(const std::string& name) const;  // such an attribute
     double number(const std::string& name) const;
     std::uint64_t count(const std::string& name) const;
 

@@ -62,6 +62,11 @@ std::string Reader::Group::text(const std::string& name) const {
   return text_of(id_, NC_GLOBAL, name.c_str());
 }
 
+bool Reader::Group::has(const std::string& name) const {
+  int index = 0;
+  return nc_inq_attid(id_, NC_GLOBAL, name.c_str(), &index) == NC_NOERR;
+}
+
 double Reader::Group::number(const std::string& name) const {
   double value = 0;
   require_one_number(id_, name);

@@ -158,11 +158,19 @@ ordered_json to_json(const RunRecord& run) {
   if (!rendering.mutations.empty()) json["mutations"] = json_of(rendering.mutations);
   json["command_line"] = provenance.command_line;
   json["version"] = provenance.version;
+  json["provenance"] = to_json(provenance.origin);
   json["warnings"] = rendering.warnings;
   return json;
 }
 
 ordered_json to_json(const FilmEstimate& film, int dimension) { return json_of(film, dimension); }
+
+ordered_json to_json(const Origin& origin) {
+  ordered_json json = ordered_json::object();
+  for (const OriginField& field : origin_fields)
+    if (const std::string& text = origin.*field.member; !text.empty()) json[field.name] = text;
+  return json;
+}
 
 std::optional<RunRecord> find_run(const std::filesystem::path& path) {
   std::error_code unreachable;

@@ -16,6 +16,9 @@ inline constexpr const char* run_schema = "wanderlight-run/1";
 nlohmann::ordered_json to_json(const RunRecord& run);
 // The "film" of a run; an image has a shape alone, for its values are in the EXR.
 nlohmann::ordered_json to_json(const FilmEstimate& film, int dimension);
+// The "provenance" of a run or comparison, and its way back; what is not known is left out.
+nlohmann::ordered_json to_json(const Origin& origin);
+Origin origin_from_json(const nlohmann::ordered_json& document);
 
 // A document that is not such a run throws RunFileError; `place` names it in the message.
 RunRecord run_from_json(const nlohmann::ordered_json& document, const std::string& place);

@@ -137,6 +137,14 @@ Rendering rendering_from(const ordered_json& json) {
 
 FilmEstimate film_from_json(const ordered_json& json) { return film_from(json); }
 
+Origin origin_from_json(const ordered_json& document) {
+  Origin origin;
+  const ordered_json known = document.value("provenance", ordered_json::object());
+  for (const OriginField& field : origin_fields)
+    origin.*field.member = known.value(field.name, std::string());
+  return origin;
+}
+
 RunRecord run_from_json(const ordered_json& document, const std::string& place) {
   try {
     if (document.at("schema") != run_schema) throw std::runtime_error("its schema is another");
@@ -146,7 +154,8 @@ RunRecord run_from_json(const ordered_json& document, const std::string& place) 
                                 scene.at("sha256"),
                                 document.at("dimension"),
                                 document.at("command_line"),
-                                document.at("version")};
+                                document.at("version"),
+                                origin_from_json(document)};
     return {rendering_from(document), provenance};
   } catch (const std::exception& problem) {
     throw RunFileError(

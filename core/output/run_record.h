@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/output/origin.h"
 #include "core/rendering.h"
 
 namespace wander {
@@ -14,6 +15,7 @@ struct Provenance {
   int dimension = 2;
   std::string command_line;  // quoted for a shell
   std::string version;       // of the program
+  Origin origin{};           // of what was computed; empty in records from before it was kept
 };
 
 struct RunRecord {

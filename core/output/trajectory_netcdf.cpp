@@ -133,6 +133,8 @@ void write_root(const Writer& file, const TrajectoryRecord& record) {
   file.attribute("scene_sha256", record.provenance.scene_sha256);
   file.attribute("command_line", record.provenance.command_line);
   file.attribute("version", record.provenance.version);
+  for (const OriginField& field : origin_fields)
+    file.attribute(field.name, record.provenance.origin.*field.member);
   file.attribute("method", record.method);
   file.attribute("dimension", std::int64_t{t.dimension});
   file.attribute("first_step", t.first_step);

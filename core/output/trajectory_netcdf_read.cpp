@@ -84,6 +84,13 @@ Trajectory trajectory_from(const Group& root) {
   return t;
 }
 
+Origin origin_from(const Group& root) {
+  Origin origin;
+  for (const OriginField& field : origin_fields)
+    if (root.has(field.name)) origin.*field.member = root.text(field.name);
+  return origin;
+}
+
 TrajectoryRecord record_from(const Group& root) {
   if (root.text("format") != trajectory_format)
     throw netcdf::Error(fmt::format("its format is {}", root.text("format")));
@@ -96,7 +103,8 @@ TrajectoryRecord record_from(const Group& root) {
                           root.number("normalization_standard_error")};
   record.provenance = {root.text("scene_name"),   root.text("scene"),
                        root.text("scene_sha256"), record.trajectory.dimension,
-                       root.text("command_line"), root.text("version")};
+                       root.text("command_line"), root.text("version"),
+                       origin_from(root)};
   return record;
 }
 

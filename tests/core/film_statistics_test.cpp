@@ -48,12 +48,13 @@ TEST(Csv, NumbersReadBackExactlyInEveryLocale) {
   FilmEstimate film;
   film.value = {1 / 3.0, 1e-300};
   film.standard_error = {0.1, -unknown};
+  film.reliable = {true, false};
   const std::string text = to_csv(film, {0.25, 0.75});
   std::locale::global(before);
   EXPECT_EQ(text,
-            "bin,center,value,standard_error\n"
-            "0,0.25,0.3333333333333333,0.1\n"
-            "1,0.75,1e-300,nan\n");
+            "bin,center,value,standard_error,reliable\n"
+            "0,0.25,0.3333333333333333,0.1,1\n"
+            "1,0.75,1e-300,nan,0\n");
 }
 
 FilmEstimate film_of(std::vector<double> value, double error) {

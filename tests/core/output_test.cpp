@@ -81,7 +81,8 @@ RunRecord markov_chain_run() {
                     "abc123",
                     2,
                     "wander render box.json",
-                    "0.1.0"};
+                    "0.1.0",
+                    {"c0ffee+changes", "GNU 12.2.0", "Release", "a cpu", "2026-01-02T03:04:05Z"}};
   Rendering& rendering = run.rendering;
   rendering.method = "mlt";
   rendering.samples = 123456789012;
@@ -184,6 +185,8 @@ TEST_F(Output, AnExrReadsBackWhatItHolds) {
   EXPECT_EQ(back.provenance.scene_sha256, "abc123");
   EXPECT_EQ(back.provenance.command_line, "wander render box.json");
   EXPECT_EQ(back.provenance.version, "0.1.0");
+  for (const OriginField& field : origin_fields)
+    EXPECT_EQ(back.provenance.origin.*field.member, run.provenance.origin.*field.member);
   EXPECT_EQ(back.rendering.method, "mlt");
   EXPECT_EQ(back.rendering.seed, run.rendering.seed);
   EXPECT_EQ(back.rendering.samples, run.rendering.samples);

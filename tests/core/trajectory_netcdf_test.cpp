@@ -65,7 +65,13 @@ TrajectoryRecord small_record(int dimension) {
   record.method = "mlt";
   record.seed = std::numeric_limits<std::uint64_t>::max();
   record.normalization = {0.61, 0.002};
-  record.provenance = {"", "{} // \"é\"\n", "abc", dimension, "wander trace 'a b.json'", "0.1.0"};
+  record.provenance = {"",
+                       "{} // \"é\"\n",
+                       "abc",
+                       dimension,
+                       "wander trace 'a b.json'",
+                       "0.1.0",
+                       {"c0ffee", "GNU 12.2.0", "Release", "a cpu", "2026-01-02T03:04:05Z"}};
   return record;
 }
 
@@ -141,6 +147,8 @@ TEST_F(TrajectoryFile, ReadsBackWhatWasWritten) {
     EXPECT_EQ(back.provenance.scene_sha256, "abc");
     EXPECT_EQ(back.provenance.command_line, record.provenance.command_line);
     EXPECT_EQ(back.provenance.version, "0.1.0");
+    for (const OriginField& field : origin_fields)
+      EXPECT_EQ(back.provenance.origin.*field.member, record.provenance.origin.*field.member);
   }
 }
 

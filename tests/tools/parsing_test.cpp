@@ -23,6 +23,19 @@ TEST(Budget, CountsAndTimesHaveUnits) {
   EXPECT_EQ(samples("1e6"), 1000000U);
   EXPECT_EQ(seconds("30s"), 30);
   EXPECT_EQ(seconds("1.5s"), 1.5);
+  EXPECT_EQ(seconds("1500ms"), 1.5);
+  EXPECT_EQ(seconds("5min"), 300);
+  EXPECT_EQ(seconds("2h"), 7200);
+}
+
+TEST(Budget, AnErrorIsAShareOrInPercent) {
+  const auto error = [](std::string_view text) {
+    return std::get<ErrorBudget>(parse_budget(text)).relative;
+  };
+  EXPECT_EQ(error("error<0.05"), 0.05);
+  EXPECT_EQ(error("error<5%"), 0.05);
+  EXPECT_EQ(error("error<0.5%"), 0.005);
+  EXPECT_EQ(parse_share("--target", "2%"), 0.02);
 }
 
 TEST(Budget, TimeIsOfTheWallOrOfTheProcessors) {
@@ -37,9 +50,10 @@ TEST(Budget, TimeIsOfTheWallOrOfTheProcessors) {
 
 TEST(Budget, EverythingElseIsAUsageError) {
   for (const char* text :
-       {"",    "soon", "s",       "M",       "0",       "-5",        "-1s",    "0s",
-        "1.5", "5 M",  "5Mx",     "nan",     "infs",    "inf",       "1e400s", "1e30",
-        "0.1", "+5",   "error<0", "error<1", "error<x", "error>0.1", "5m"})
+       {"",        "soon",     "s",       "M",       "0",       "-5",        "-1s",    "0s",
+        "1.5",     "5 M",      "5Mx",     "nan",     "infs",    "inf",       "1e400s", "1e30",
+        "0.1",     "+5",       "error<0", "error<1", "error<x", "error>0.1", "5m",     "error<100%",
+        "error<%", "error<0%", "min",     "0h",      "5%"})
     EXPECT_THROW(parse_budget(text), UsageError) << text;
 }
 

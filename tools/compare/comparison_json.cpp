@@ -106,7 +106,8 @@ void write_runs(ordered_json& json, const Comparison& comparison) {
     json["runs"].push_back(json_of(runs.runs[i], comparison.errors.at(i), dimension));
   json["failures"] = list_of(runs.failures);
   Provenance provenance = runs.provenance;
-  provenance.scene_text.clear();  // said once
+  provenance.scene_text.clear();  // said once, as is the origin
+  provenance.origin = {};
   json["details"] = ordered_json::array();
   for (const Rendering& rendering : runs.details)
     json["details"].push_back(wander::to_json(RunRecord{rendering, provenance}));
@@ -128,6 +129,7 @@ ordered_json to_json(const Comparison& comparison) {
                     {"dimension", provenance.dimension},
                     {"command_line", provenance.command_line},
                     {"version", provenance.version},
+                    {"provenance", wander::to_json(provenance.origin)},
                     {"warnings", runs.warnings},
                     {"contenders", list_of(runs.contenders)},
                     {"budgets", runs.budgets},

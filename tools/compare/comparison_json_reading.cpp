@@ -99,8 +99,9 @@ void read(std::vector<Record>& records, const ordered_json& json) {
 Runs runs_from(const ordered_json& json, const std::string& place) {
   Runs runs;
   const ordered_json& scene = json.at("scene");
-  runs.provenance = {scene.at("name"),     scene.at("text"),        scene.at("sha256"),
-                     json.at("dimension"), json.at("command_line"), json.at("version")};
+  runs.provenance = {scene.at("name"),      scene.at("text"),        scene.at("sha256"),
+                     json.at("dimension"),  json.at("command_line"), json.at("version"),
+                     origin_from_json(json)};
   runs.complete = json.at("complete");
   runs.warnings = json.at("warnings").get<std::vector<std::string>>();
   read(runs.contenders, json.at("contenders"));

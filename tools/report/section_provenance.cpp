@@ -112,6 +112,11 @@ void write_facts(Html& html, const Subject& subject, const std::string& source) 
     html.element("dd", text, {{"class", "hash"}});
   };
   item("program", "Wanderlight " + runs.provenance.version);
+  if (const Origin& origin = runs.provenance.origin; !origin.commit.empty()) {
+    item("built from",
+         fmt::format("commit {} by {}, {}", origin.commit, origin.compiler, origin.build_type));
+    item("run", fmt::format("{} on {}", origin.date, origin.cpu));
+  }
   item("scene", source);
   item("its SHA-256", runs.provenance.scene_sha256);
   item("reference", runs.reference.origin.empty() ? "none" : runs.reference.origin);
