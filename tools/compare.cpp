@@ -94,10 +94,13 @@ void collect_warnings(Runs& runs) {
         runs.contenders[runs.failures.front().contender].label, runs.failures.front().message));
 }
 
-// Whatever was interrupted is shown, be it ever so little.
 void require_some(const Runs& runs) {
-  if (runs.runs.empty() && runs.complete)
-    throw CommandFailure(ExitCode::failure, runs.failures.front().message);
+  if (!runs.runs.empty()) return;
+  if (!runs.complete)
+    throw CommandFailure(ExitCode::interrupted,
+                         "interrupted before the first run was complete, so there are no errors; "
+                         "long runs of a reference that were complete are kept for the next time");
+  throw CommandFailure(ExitCode::failure, runs.failures.front().message);
 }
 
 double effort_of_all(const Plan& plan, bool needs_reference) {
@@ -192,10 +195,9 @@ Errors are measured against a reference whose own error is known and allowed for
         the two do not agree.  Long runs are kept for the next time in $XDG_CACHE_HOME/wanderlight
         or ~/.cache/wanderlight; remove that folder to make them anew.
 
-DIR receives report.html, compare.json, compare.csv and reference.json.  Ctrl-C at any time ends the
-comparison with what is complete, against what is known of the reference by then: exit code 130 and
-"complete": false.  A run in which a chain finds no light to
-start from is recorded as failed and does not end the comparison.
+DIR receives report.html, compare.json, compare.csv and reference.json.  Ctrl-C ends the comparison
+with the runs that are complete, if there are any: exit code 130 and "complete": false.  A run in
+which a chain finds no light to start from is recorded as failed and does not end the comparison.
 
 Examples:
   wander compare scene.json -o comparison
