@@ -9,6 +9,8 @@
 
 #include "core/build_scene.h"
 #include "tools/compare/comparison_json.h"
+#include "tools/compare/forecast.h"
+#include "tools/compare/long_reference.h"
 #include "tools/compare/outputs.h"
 #include "tools/compare/reference.h"
 #include "tools/console.h"
@@ -81,26 +83,29 @@ void examine(CompareOptions& options, const Global& global, Examination& examina
     examination.part([&] { require_possible(entrant.contender.method, options.document->scene); });
 }
 
-// What is known before anything is measured.
+std::vector<int> shape_of(const SceneDocument& document) {
+  const auto resolution = build_flatland(document.scene)->resolution();
+  return {resolution.begin(), resolution.end()};
+}
+
+// What is known before anything is sampled.
 std::optional<Reference> known_reference(const SceneDocument& document, const std::string& wanted,
                                          Runs& runs) {
-  if (wanted != "auto") {
-    const auto scene = build_flatland(document.scene);
-    const auto shape = scene->resolution();
-    return reference_from_file(wanted, {shape.begin(), shape.end()}, runs.provenance,
-                               runs.warnings);
-  }
+  if (wanted != "auto")
+    return reference_from_file(wanted, shape_of(document), runs.provenance, runs.warnings);
   std::string why;
   auto exact = exact_reference(document.scene, why);
   if (!exact) spdlog::debug("no exact film: {}", why);
   return exact;
 }
 
-// The warnings of the methods, each said once.
+// The warnings of the methods, each said once, and what is doubtful.
 void collect_warnings(Runs& runs) {
   for (std::size_t c = 0; c < runs.contenders.size(); ++c)
     for (const std::string& warning : runs.details[c].warnings)
       runs.warnings.push_back(fmt::format("{}: {}", runs.contenders[c].label, warning));
+  const auto& doubts = runs.reference.doubts;
+  runs.warnings.insert(runs.warnings.end(), doubts.begin(), doubts.end());
   if (!runs.failures.empty())
     runs.warnings.push_back(fmt::format(
         "{} of {} runs failed, the first of {}: {}", runs.failures.size(),
@@ -125,8 +130,46 @@ void warn_of_load(const Plan& plan, Runs& runs) {
 void require_some(const Runs& runs) {
   if (!runs.runs.empty()) return;
   if (!runs.complete)
-    throw CommandFailure(ExitCode::interrupted, "interrupted before the first run was complete");
+    throw CommandFailure(ExitCode::interrupted,
+                         "interrupted before the first run was complete, so there are no errors; "
+                         "long runs of a reference that were complete are kept for the next time");
   throw CommandFailure(ExitCode::failure, runs.failures.front().message);
+}
+
+double effort_of_all(const Plan& plan, bool needs_reference) {
+  return effort_of(plan) + effort_of_paces(plan) +
+         (needs_reference ? trial_effort(plan) + reference_effort(plan) : 0);
+}
+
+void announce(const Forecast& forecast, Progress& progress, const Global& global) {
+  if (global.progress == ProgressMode::json)
+    print_note(json_line_of(forecast) + "\n");
+  else if (!global.quiet)
+    progress.say(in_words(forecast));
+}
+
+// The reference first: what an interruption leaves of the runs can then be measured.
+void make_runs(const SceneDocument& document, const Plan& plan, std::optional<Reference> reference,
+               const Global& global, Runs& runs) {
+  Progress progress(global);
+  const Session common{.threads = global.threads,
+                       .interrupted = &watch_for_interruption(),
+                       .report = progress.reporter()};
+  Course course(document.scene, common, effort_of_all(plan, !reference));
+  Forecast ahead = forecast(plan, paces_of(plan, course));
+  LongPlan long_plan;
+  const ReferenceCache cache(runs.provenance, document.scene.max_vertices);
+  const std::vector<int> shape = shape_of(document);
+  if (!reference) {
+    const std::vector<Worth> worths = hold_trial(document.scene, plan, course);
+    long_plan = plan_reference(plan, worths, cache.load(shape, runs.warnings), ahead.longest);
+    ahead.of_reference = long_plan.seconds;
+  }
+  course.expect(effort_of(long_plan) + effort_of(plan));
+  if (!course.is_interrupted()) announce(ahead, progress, global);
+  if (!reference) reference = make_reference(plan, long_plan, cache, course, shape, runs);
+  runs.reference = *std::move(reference);
+  measure(plan, course, runs);
 }
 
 Runs runs_of(const SceneDocument& document, const Plan& plan, const CompareOptions& options,
@@ -134,19 +177,8 @@ Runs runs_of(const SceneDocument& document, const Plan& plan, const CompareOptio
   Runs runs = prepared(plan, provenance_of(document, global.command_line));
   runs.target = options.target;
   runs.warnings = scene_warnings(document, options.scene);
-  std::optional<Reference> reference = known_reference(document, options.reference, runs);
-  Progress progress(global);
-  const Session common{.threads = global.threads,
-                       .interrupted = &watch_for_interruption(),
-                       .report = progress.reporter()};
-  Course course(document.scene, common, effort_of(plan) + (reference ? 0 : long_effort(plan)));
-  measure(plan, course, runs);
+  make_runs(document, plan, known_reference(document, options.reference, runs), global, runs);
   require_some(runs);
-  if (!reference) {
-    const ReferenceCache cache(runs.provenance, document.scene.max_vertices);
-    reference = long_reference(document.scene, plan, cache, course, runs);
-  }
-  runs.reference = *std::move(reference);
   collect_warnings(runs);
   warn_of_load(plan, runs);
   return runs;
@@ -182,7 +214,8 @@ Every method runs R times at every budget, each time with a seed of its own.  Co
 in an order that rotates, so that a machine that grows hot or busy harms all alike.  Budgets are all
 samples (300k, 5M), all wall time (500ms, 30s, 2min) or all processor time, which other work on the
 machine does not use up (0.5cpu-s, 30cpu-s): then all times are of the processors.  With samples, the
-same seed gives the same errors, whatever the number of threads.
+same seed gives the same films, whatever the number of threads, and against the same reference the
+same errors.
 
 A sweep adds, to each method that has the dial, one contender for each value, the other dials being
 as usual or as --dial says.  Several sweeps are made one after the other.  Values that hold commas
@@ -190,13 +223,15 @@ are parted by semicolons: --sweep 'mutations=lens=1,primary=1;bidirectional=1'.
 
 Errors are measured against a reference whose own error is known and allowed for:
   FILE  a run.json, film.exr, or DIR of an earlier render, or the reference.json of a comparison
-  auto  the exact film where all is diffuse and made of segments; else the mean of two long runs of
-        the best method, each 1.5 R times the largest budget.  These are kept for the next time in
-        $XDG_CACHE_HOME/wanderlight or ~/.cache/wanderlight; remove that folder to make them anew.
+  auto  the exact film where all is diffuse and made of segments; else a mean of long runs of the two
+        methods, contenders or not, that tell most in a second by a short trial.  Together they take
+        as long as 3 R runs at the largest budget, and they are made first.  A warning says so where
+        the two do not agree.  Long runs are kept for the next time in $XDG_CACHE_HOME/wanderlight
+        or ~/.cache/wanderlight; remove that folder to make them anew.
 
 DIR receives report.html, compare.json, compare.csv and reference.json.  Ctrl-C ends the comparison
-with what is complete: exit code 130 and "complete": false.  A run in which a chain finds no light to
-start from is recorded as failed and does not end the comparison.
+with the runs that are complete, if there are any: exit code 130 and "complete": false.  A run in
+which a chain finds no light to start from is recorded as failed and does not end the comparison.
 
 Examples:
   wander compare scene.json -o comparison

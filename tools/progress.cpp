@@ -53,6 +53,11 @@ std::function<void(const ProgressReport&)> Progress::reporter() {
   };
 }
 
+void Progress::say(const std::string& line) {
+  const bool is_below_a_bar = display_ == Display::bar && last_drawn_ >= 0;
+  print_note((is_below_a_bar ? erase_line : "") + line + "\n");
+}
+
 std::string bar_of(const ProgressReport& report) {
   constexpr int width = 30;
   const double fraction = std::clamp(report.fraction, 0.0, 1.0);

@@ -20,6 +20,8 @@ class Progress {
 
   // Empty when nothing is to be shown; valid as long as this object lives.
   std::function<void(const ProgressReport&)> reporter();
+  // A line for people; the bar goes on below it.
+  void say(const std::string& line);
 
  private:
   enum class Display { none, bar, json };

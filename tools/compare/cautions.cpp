@@ -72,6 +72,8 @@ void of_missing_runs(std::vector<std::string>& cautions, const View& view) {
 
 void of_the_reference(std::vector<std::string>& cautions, const View& view,
                       const Yardstick& yardstick) {
+  const auto& doubts = view.comparison.runs.reference.doubts;
+  cautions.insert(cautions.end(), doubts.begin(), doubts.end());
   if (!has_reference(view.comparison.runs)) {
     cautions.emplace_back("There is no reference to measure errors against.");
     return;

@@ -1,5 +1,7 @@
 #include "tools/compare/course.h"
 
+#include <algorithm>
+
 #include "tools/compare/budgets.h"
 #include "tools/methods.h"
 
@@ -22,7 +24,8 @@ Rendering Course::render(const Entrant& entrant, const Budget& budget, std::uint
   if (common_.report)
     session.report = [&](const ProgressReport& run) {
       const double done = before + run.fraction * effort_of(budget);
-      common_.report({done / effort_, samples_ + run.samples, seconds(), what.c_str()});
+      fraction_ = std::max(fraction_, std::min(1.0, done / effort_));
+      common_.report({fraction_, samples_ + run.samples, seconds(), what.c_str()});
     };
   Rendering rendering = wander::render(scene_, entrant.contender.method, entrant.dials, session);
   samples_ += rendering.samples;

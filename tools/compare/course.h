@@ -18,8 +18,8 @@ class Course {
   // are to come (effort_of).
   Course(const description::Scene& scene, const Session& common, double effort);
 
-  // More is to be done than was said.
-  void add(double effort) { effort_ += effort; }
+  // What is still to come, better known than at the beginning; the bar does not go back.
+  void expect(double effort) { effort_ = done_ + effort; }
 
   // `what` stands beside the bar: "bdpt 4s, replicate 3 of 8".
   Rendering render(const Entrant& entrant, const Budget& budget, std::uint64_t seed,
@@ -33,6 +33,7 @@ class Course {
   const description::Scene& scene_;
   Session common_;
   double effort_, done_ = 0;
+  double fraction_ = 0;  // that was reported last
   std::uint64_t samples_ = 0;
   std::chrono::steady_clock::time_point start_;
 };

@@ -1,160 +1,192 @@
-// The reference where none is exact.
+#include "tools/compare/long_reference.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <span>
+#include <functional>
+#include <set>
+#include <utility>
 
-#include "core/output/film_pool.h"
-#include "core/output/film_statistics.h"
 #include "mlt/render.h"
 #include "tools/compare/reference.h"
+#include "tools/compare/reference_pool.h"
 #include "tools/compare/schedule.h"
 #include "tools/failure.h"
-#include "tools/methods.h"
 #include "tools/wording.h"
 
 namespace wander::compare {
 
 namespace {
 
-constexpr double runs_of_each = 1.5;    // × replicates × the largest budget
-constexpr double largest_excess = 1.5;  // over what fresh runs would have
-constexpr double unknown = not_known;
+constexpr std::size_t fresh_runs = 2;         // of each maker
+constexpr double largest_excess = 1.5 * 1.5;  // over the variance that fresh runs would have
 
-// √(Σ var / Σ mean²) over the bins: of one run of this contender at the largest budget.
-double relative_spread(const Runs& runs, std::size_t contender) {
-  std::vector<const FilmEstimate*> films;
-  for (const Run& run : runs.runs)
-    if (run.contender == contender && run.budget + 1 == runs.budgets.size())
-      films.push_back(&run.film);
-  if (films.size() < 2) return unknown;
-  const auto count = static_cast<double>(films.size());
-  double unit = 0;  // squares stay finite
-  for (const FilmEstimate* film : films)
-    unit = std::max(unit, *std::ranges::max_element(film->value));
-  double variance = 0, size = 0;
-  for (std::size_t b = 0; b < films.front()->value.size(); ++b) {
-    double mean = 0, squares = 0;
-    for (const FilmEstimate* film : films) mean += film->value[b] / unit / count;
-    for (const FilmEstimate* film : films) squares += std::pow(film->value[b] / unit - mean, 2);
-    variance += squares / (count - 1);
-    size += mean * mean;
-  }
-  return std::sqrt(variance / size);  // not a number where no light was found
+double samples_of(const LongRuns& runs) {
+  double samples = 0;
+  for (const Rendering& run : runs.runs) samples += static_cast<double>(run.samples);
+  return samples;
 }
 
-struct Best {
-  const Entrant* entrant = nullptr;
-  double spread = std::numeric_limits<double>::infinity();
+const LongRuns* find(const std::vector<LongRuns>& known, const std::string& method) {
+  const auto found = std::ranges::find(known, method, &LongRuns::made_by);
+  return found == known.end() ? nullptr : &*found;
+}
+
+// Of each run that `worth.method` makes.
+Budget budget_for(const Plan& plan, const Worth& worth, double longest) {
+  const Budget& largest = plan.budgets.back().budget;
+  const double effort = reference_effort(plan) / static_cast<double>(2 * fresh_runs);
+  const bool is_time = std::holds_alternative<TimeBudget>(largest);
+  if (is_time || !(longest > 0) || !(worth.seconds > 0)) return budget_of(effort, largest);
+  const double seconds = effort / effort_of(largest) * longest;
+  return budget_of(std::ceil(seconds / worth.seconds), largest);
+}
+
+double seconds_of(const Maker& maker) {
+  if (const auto* time = std::get_if<TimeBudget>(&maker.budget)) return time->seconds;
+  return effort_of(maker.budget) * maker.worth.seconds;
+}
+
+// What the fresh runs of this maker would be worth.
+double fresh_information(const Maker& maker) {
+  if (!(maker.worth.seconds > 0)) return 0;
+  const double samples = seconds_of(maker) / maker.worth.seconds;
+  return static_cast<double>(fresh_runs) * samples * maker.worth.information;
+}
+
+double known_information(const Maker& maker) {
+  return samples_of(maker.runs) * maker.worth.information;
+}
+
+double sum(const std::vector<Maker>& makers, double (*information)(const Maker&)) {
+  double total = 0;
+  for (const Maker& maker : makers) total += information(maker);
+  return total;
+}
+
+// The first two that find light; the first two if none does.
+std::vector<Maker> best_two(const std::vector<Maker>& all) {
+  std::vector<Maker> two;
+  for (const Maker& maker : all)
+    if (two.size() < 2 && (maker.worth.information > 0 || !(all.front().worth.information > 0)))
+      two.push_back(maker);
+  return two;
+}
+
+// Of those that are known well enough to confirm another, the two whose runs are worth most.
+std::vector<Maker> known_two(std::vector<Maker> all) {
+  std::erase_if(all, [](const Maker& maker) {
+    const double known = known_information(maker);
+    return !(known > 0 && known >= fresh_information(maker) / largest_excess);
+  });
+  std::ranges::stable_sort(all, std::ranges::greater{}, known_information);
+  if (all.size() > 2) all.resize(2);
+  return all;
+}
+
+class Seeds {
+ public:
+  Seeds(std::uint64_t seed, const std::vector<std::uint64_t>& taken)
+      : seed_(seed), taken_(taken.begin(), taken.end()) {}
+
+  std::uint64_t next() {
+    while (!taken_.insert(reference_seed(seed_, run_)).second) ++run_;
+    return reference_seed(seed_, run_);
+  }
+
+ private:
+  std::uint64_t seed_, run_ = 0;
+  std::set<std::uint64_t> taken_;
 };
 
-Best best_of(const description::Scene& scene, const Plan& plan, const Runs& runs) {
-  Best best;
-  for (std::size_t c = 0; c < plan.entrants.size(); ++c) {
-    const Entrant& entrant = plan.entrants[c];
-    if (!entrant.contender.dial.empty() || !sees_all_light(entrant.contender.method, scene))
-      continue;
-    const double spread = relative_spread(runs, c);
-    if (spread < best.spread) best = {&entrant, spread};
+bool is_dark(const FilmEstimate& film) {
+  return std::ranges::none_of(film.value, [](double x) { return x > 0; });
+}
+
+std::vector<Part> parts_of(const std::vector<Maker>& makers) {
+  std::vector<Part> parts;
+  for (const Maker& maker : makers)
+    if (!maker.runs.runs.empty())
+      parts.push_back(
+          {maker.runs.made_by, maker.runs.runs,
+           samples_of(maker.runs) * (maker.worth.information > 0 ? maker.worth.information : 1)});
+  return parts;
+}
+
+[[noreturn]] void give_up(const std::vector<Maker>& makers) {
+  std::string names;
+  double samples = 0;
+  for (const Maker& maker : makers) {
+    names += (names.empty() ? "" : " and ") + maker.worth.method;
+    samples += samples_of(maker.runs);
   }
-  return best;
-}
-
-std::string made_by(const Entrant& entrant) {
-  std::string text = entrant.contender.method;
-  for (const Setting& setting : entrant.settings)
-    text += fmt::format(" {} {}", setting.dial->option(), setting.value);
-  return text;
-}
-
-Reference pooled(const LongRuns& runs) {
-  double seconds = 0, samples = 0;
-  for (const Rendering& run : runs.runs) {
-    seconds += run.seconds;
-    samples += static_cast<double>(run.samples);
-  }
-  return {pooled_film(runs.runs),
-          fmt::format("the mean of {} independent runs of {}, {} samples together, {}",
-                      runs.runs.size(), runs.made_by, count_in_words(samples),
-                      duration_in_words(seconds))};
-}
-
-Reference none(const FilmEstimate& like) {
-  FilmEstimate film{.shape = like.shape};
-  film.value.assign(like.value.size(), unknown);
-  film.standard_error.assign(like.value.size(), unknown);
-  film.reliable.assign(like.value.size(), false);
-  return {std::move(film), "none: no long run was made to its end"};
-}
-
-// Those of films like the measured ones; least error first.
-std::vector<LongRuns> known_runs(const ReferenceCache& cache, Runs& runs) {
-  std::vector<LongRuns> known = cache.load(runs.warnings);
-  std::erase_if(known, [&](const LongRuns& k) {
-    return k.runs.front().film.shape != runs.runs.front().film.shape;
-  });
-  std::ranges::sort(known, {},
-                    [](const LongRuns& k) { return relative_error(pooled_film(k.runs)); });
-  return known;
-}
-
-// Two more; fewer if interrupted.  What an interrupted run found is a film, too.
-void extend(LongRuns& runs, const Plan& plan, const Entrant& entrant, std::uint64_t first,
-            Course& course, std::vector<std::string>& warnings) {
-  const Budget budget = budget_of(0.5 * long_effort(plan), plan.budgets.back().budget);
-  const std::string what = fmt::format("reference: {} {}", runs.made_by, text_of(budget));
-  for (std::uint64_t i = 0; i < 2 && !course.is_interrupted(); ++i) {
-    try {
-      Rendering run = course.render(entrant, budget, reference_seed(plan.seed, first + i), what);
-      if (run.samples > 0) runs.runs.push_back(std::move(run));
-    } catch (const NoLightFound& dark) {
-      warnings.push_back(fmt::format("{} failed: {}", what, dark.what()));
-    }
-  }
-}
-
-// Of two fresh long runs together, in units of the spread of one run at the largest budget.
-double expected_error(const Plan& plan) {
-  return 1 / std::sqrt(2 * runs_of_each * static_cast<double>(plan.replicates));
-}
-
-[[noreturn]] void give_up() {
   throw CommandFailure(
       ExitCode::failure,
-      "nothing to measure errors against: at the largest budget, no contender that can find all "
-      "light found any twice; give a larger -b, another method (-m bdpt,mlt), or --reference FILE");
+      fmt::format("nothing to measure errors against: long runs of {}, {} samples together, found "
+                  "no light; look for walls without a gap, a light or sensor that faces away, or a "
+                  "max_vertices that is too small; else give a larger -b or --reference FILE",
+                  names, count_in_words(samples)));
 }
 
 }  // namespace
 
-double long_effort(const Plan& plan) {
-  return 2 * runs_of_each * static_cast<double>(plan.replicates) *
-         effort_of(plan.budgets.back().budget);
+LongPlan plan_reference(const Plan& plan, const std::vector<Worth>& worths,
+                        const std::vector<LongRuns>& known, double longest) {
+  std::vector<Maker> all;
+  for (const Worth& worth : worths) {
+    const LongRuns* runs = find(known, worth.method);
+    all.push_back(
+        {worth, runs ? *runs : LongRuns{worth.method, {}}, budget_for(plan, worth, longest)});
+  }
+  LongPlan result{best_two(all)};
+  for (const LongRuns& runs : known)
+    for (const Rendering& run : runs.runs) result.taken_seeds.push_back(run.seed);
+  const double needed = sum(result.makers, fresh_information) / largest_excess;
+  const std::vector<Maker> two = known_two(all);
+  if (two.size() == result.makers.size() && sum(two, known_information) >= needed && needed > 0) {
+    result.makers = two;
+    return result;
+  }
+  result.more = fresh_runs;
+  for (const Maker& maker : result.makers)
+    result.seconds += static_cast<double>(fresh_runs) * seconds_of(maker);
+  return result;
 }
 
-Reference long_reference(const description::Scene& scene, const Plan& plan,
-                         const ReferenceCache& cache, Course& course, Runs& runs) {
-  std::vector<LongRuns> known = known_runs(cache, runs);
-  const Best best = best_of(scene, plan, runs);
-  const bool is_enough = !known.empty() && relative_error(pooled_film(known.front().runs)) <=
-                                               largest_excess * expected_error(plan) * best.spread;
-  if (!known.empty() && (is_enough || !runs.complete)) return pooled(known.front());
-  const auto without = [&] { return none(runs.runs.front().film); };
-  if (!runs.complete) return without();
-  if (!best.entrant) give_up();
+double effort_of(const LongPlan& plan) {
+  double effort = 0;
+  for (const Maker& maker : plan.makers)
+    effort += static_cast<double>(plan.more) * effort_of(maker.budget);
+  return effort;
+}
 
-  std::uint64_t earlier = 0;
-  LongRuns best_runs{made_by(*best.entrant), {}};
-  for (LongRuns& k : known) {
-    earlier += k.runs.size();
-    if (k.made_by == best_runs.made_by) best_runs.runs = std::move(k.runs);
-  }
-  extend(best_runs, plan, *best.entrant, earlier, course, runs.warnings);
-  runs.complete = !course.is_interrupted();
-  if (runs.complete && !best_runs.runs.empty()) cache.store(best_runs, runs.warnings);
-  return best_runs.runs.empty() ? without() : pooled(best_runs);
+Reference make_reference(const Plan& plan, LongPlan reference, const ReferenceCache& cache,
+                         Course& course, const std::vector<int>& shape, Runs& runs) {
+  Seeds seeds(plan.seed, reference.taken_seeds);
+  for (std::size_t i = 0; i < reference.more; ++i)
+    for (Maker& maker : reference.makers) {
+      if (course.is_interrupted()) break;
+      const std::string what =
+          fmt::format("reference: {} {}", maker.worth.method, text_of(maker.budget));
+      try {
+        Rendering run = course.render(usual(maker.worth.method), maker.budget, seeds.next(), what);
+        if (run.samples == 0) continue;
+        const bool is_worth_keeping = run.complete && !is_dark(run.film);
+        maker.runs.runs.push_back(std::move(run));
+        if (is_worth_keeping) cache.store(maker.runs, runs.warnings);
+      } catch (const NoLightFound& dark) {
+        runs.warnings.push_back(fmt::format("{} failed: {}", what, dark.what()));
+      }
+    }
+  runs.complete = runs.complete && !course.is_interrupted();
+  const std::vector<Part> parts = parts_of(reference.makers);
+  if (parts.empty() && !runs.complete) return no_reference(shape);
+  if (parts.empty()) give_up(reference.makers);
+  Reference made = pooled_reference(parts);
+  if (is_dark(made.film) && runs.complete) give_up(reference.makers);
+  if (!runs.complete) made.origin += "; interrupted";
+  return made;
 }
 
 }  // namespace wander::compare

@@ -34,13 +34,6 @@ std::string command_of(const Plan& plan, const Turn& turn) {
   return quoted_for_shell(static_cast<int>(pointers.size()), pointers.data());
 }
 
-std::uint64_t seed_samples_of(const Rendering& rendering) {
-  if (!rendering.normalization) return 0;
-  const auto& estimates = rendering.normalization->estimates;
-  const auto found = estimates.find("seed_pass");
-  return found == estimates.end() ? 0 : found->second.samples;
-}
-
 Run run_of(const Plan& plan, const Turn& turn, const Rendering& rendering) {
   return {.contender = turn.contender,
           .budget = turn.budget,
@@ -61,6 +54,17 @@ std::string name_of(const Plan& plan, const Turn& turn) {
 }
 
 }  // namespace
+
+double reference_effort(const Plan& plan) {
+  return 3 * static_cast<double>(plan.replicates) * effort_of(plan.budgets.back().budget);
+}
+
+std::uint64_t seed_samples_of(const Rendering& rendering) {
+  if (!rendering.normalization) return 0;
+  const auto& estimates = rendering.normalization->estimates;
+  const auto found = estimates.find("seed_pass");
+  return found == estimates.end() ? 0 : found->second.samples;
+}
 
 void require_few_enough(const Plan& plan) {
   const std::size_t runs = plan.entrants.size() * plan.budgets.size() * plan.replicates;

@@ -26,6 +26,12 @@ void require_few_enough(const Plan& plan);
 // The sum of all budgets (effort_of).
 double effort_of(const Plan& plan);
 
+// Of the long runs that make a reference: 3 × replicates × the largest budget (long_reference.h).
+double reference_effort(const Plan& plan);
+
+// Of the seed pass; 0 for independent samples.
+std::uint64_t seed_samples_of(const Rendering& rendering);
+
 // What the plan says of the runs, before there are any.
 Runs prepared(const Plan& plan, Provenance provenance);
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -24,6 +25,30 @@ std::string text_of(const std::vector<int>& shape) {
   return fmt::format("{} bins", fmt::join(shape, " x "));
 }
 
+std::size_t bins_of(const std::vector<int>& shape) {
+  std::size_t bins = 1;
+  for (const int extent : shape) bins *= static_cast<std::size_t>(extent);
+  return bins;
+}
+
+// A file may hold anything.
+void require_sound(const std::filesystem::path& file, const FilmEstimate& film) {
+  const auto refuse = [&](const std::string& fault) {
+    throw RunFileError(
+        fmt::format("--reference {}: {}; give a film.exr, run.json or reference.json as the "
+                    "program wrote it, or leave --reference out",
+                    file.string(), fault));
+  };
+  if (film.value.size() != bins_of(film.shape))
+    refuse(fmt::format("its film of {} has {} values", text_of(film.shape), film.value.size()));
+  const auto broken =
+      std::ranges::count_if(film.value, [](double value) { return !std::isfinite(value); });
+  if (broken > 0)
+    refuse(fmt::format("{} of {} values of its film are no numbers", broken, film.value.size()));
+  if (std::ranges::any_of(film.standard_error, [](double error) { return error < 0; }))
+    refuse("a standard error of its film is below zero");
+}
+
 }  // namespace
 
 Reference reference_from_file(const std::filesystem::path& file, const std::vector<int>& shape,
@@ -35,6 +60,7 @@ Reference reference_from_file(const std::filesystem::path& file, const std::vect
         "--reference {}: its film has {}{}, that of the scene {}; give a film of the same shape",
         file.string(), text_of(film.shape), film.value.empty() ? " without values" : "",
         text_of(shape)));
+  require_sound(file, film);
   if (run.provenance.scene_sha256 != scene.scene_sha256)
     warnings.push_back(fmt::format(
         "--reference {} is of another scene file: errors are measured against that scene's film",
@@ -72,6 +98,15 @@ std::optional<Reference> exact_reference(const description::Scene& scene, std::s
       fmt::format("exact: diffuse surfaces, solved as a linear system of {} unknowns to "
                   "a relative error of {:.1g}",
                   exact.unknowns, error)};
+}
+
+Reference no_reference(const std::vector<int>& shape) {
+  const std::size_t bins = bins_of(shape);
+  FilmEstimate film{.shape = shape};
+  film.value.assign(bins, not_known);
+  film.standard_error.assign(bins, not_known);
+  film.reliable.assign(bins, false);
+  return {std::move(film), "none: the comparison was interrupted before there was one"};
 }
 
 }  // namespace wander::compare

@@ -73,7 +73,8 @@ fs::path ReferenceCache::file_of(const std::string& made_by) const {
          (prefix_of(provenance_, max_vertices_) + sha256(made_by).substr(0, 8) + ".json");
 }
 
-std::vector<LongRuns> ReferenceCache::load(std::vector<std::string>& warnings) const {
+std::vector<LongRuns> ReferenceCache::load(const std::vector<int>& shape,
+                                           std::vector<std::string>& warnings) const {
   std::vector<LongRuns> found;
   std::vector<fs::path> files;
   std::error_code none;
@@ -84,7 +85,8 @@ std::vector<LongRuns> ReferenceCache::load(std::vector<std::string>& warnings) c
   std::ranges::sort(files);
   for (const fs::path& file : files) {
     try {
-      if (auto runs = read(file, provenance_)) found.push_back(*std::move(runs));
+      if (auto runs = read(file, provenance_); runs && runs->runs.front().film.shape == shape)
+        found.push_back(*std::move(runs));
     } catch (const std::exception& problem) {
       warnings.push_back(
           fmt::format("{}: no reference can be read from this file of the cache ({}); "

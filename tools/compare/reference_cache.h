@@ -22,8 +22,10 @@ class ReferenceCache {
  public:
   ReferenceCache(Provenance provenance, int max_vertices);
 
-  // What there is; each file that is broken adds a warning, and is as good as none.
-  std::vector<LongRuns> load(std::vector<std::string>& warnings) const;
+  // What there is of films of this shape; each file that is broken adds a warning, and is as good
+  // as none.
+  std::vector<LongRuns> load(const std::vector<int>& shape,
+                             std::vector<std::string>& warnings) const;
   // A place that cannot be written to is a warning.
   void store(const LongRuns& runs, std::vector<std::string>& warnings) const;
 

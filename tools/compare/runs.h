@@ -43,7 +43,8 @@ struct FailedRun {
 // What errors are measured against: a film whose own error is known.
 struct Reference {
   FilmEstimate film;   // standard_error is its own, and zero where it is exact
-  std::string origin;  // in words: "exact: ...", "the mean of two mlt runs of 120 s each", a file
+  std::string origin;  // in words: "exact: ...", a file, or the runs that it is the mean of
+  std::vector<std::string> doubts{};  // why it may not be what it seems; each a sentence
 };
 
 struct Runs {

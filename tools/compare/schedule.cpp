@@ -5,6 +5,7 @@ namespace wander::compare {
 namespace {
 
 constexpr std::uint64_t run_bits = 20;
+constexpr std::uint64_t most_references = most_runs / 2;  // and as many trials
 
 // 33 bits of splitmix64.
 std::uint64_t hashed(std::uint64_t seed) {
@@ -31,7 +32,11 @@ std::vector<Turn> schedule(const Grid& grid, std::uint64_t seed) {
 }
 
 std::uint64_t reference_seed(std::uint64_t seed, std::uint64_t run) {
-  return (hashed(seed) << run_bits) + most_runs + run % most_runs;
+  return (hashed(seed) << run_bits) + most_runs + run % most_references;
+}
+
+std::uint64_t trial_seed(std::uint64_t seed, std::uint64_t run) {
+  return (hashed(seed) << run_bits) + most_runs + most_references + run % most_references;
 }
 
 }  // namespace wander::compare

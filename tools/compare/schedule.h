@@ -27,7 +27,9 @@ inline constexpr std::uint64_t most_runs = std::uint64_t{1} << 19;
 std::vector<Turn> schedule(const Grid& grid, std::uint64_t seed);
 
 // The seeds of one comparison are 53-bit numbers, which JSON keeps exactly: 33 bits that are a hash
-// of `seed`, and the number of the run.  Those of references are others than those of the turns.
+// of `seed`, and the number of the run.  Those of references are others than those of the turns,
+// and those of trials are others than both.
 std::uint64_t reference_seed(std::uint64_t seed, std::uint64_t run);
+std::uint64_t trial_seed(std::uint64_t seed, std::uint64_t run);
 
 }  // namespace wander::compare

@@ -28,6 +28,13 @@ class CompareCommand : public CommandLine {
   fs::path cached_file() const {
     return fs::directory_iterator(folder / "cache" / "wanderlight")->path();
   }
+  // Interrupts the comparison as soon as its --progress json says `phase`.
+  Outcome interrupted_at(const std::string& phase, const std::string& arguments) const {
+    return shell("export XDG_CACHE_HOME=\"$PWD/cache\"; \"$WANDER\" compare " + arguments +
+                 " --progress json 2>progress & job=$!; until grep -q '" + phase +
+                 "' progress || ! kill -0 $job; do sleep 0.01; done; kill -INT $job; wait $job; "
+                 "code=$?; cat progress >&2; exit $code");
+  }
 };
 
 // The box, with a ceiling that no linear system of diffuse walls describes.

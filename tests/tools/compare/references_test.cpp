@@ -28,6 +28,34 @@ TEST_F(CompareCommand, TakesAReferenceOfTheSameShape) {
              "another scene");
 }
 
+TEST_F(CompareCommand, RefusesADamagedReference) {
+  ASSERT_EQ(wander("render box.json -m bdpt -b 20k -o ref -q").exit_code, 0);
+  const json whole = json::parse(contents(folder / "ref" / "run.json"));
+  const auto refused = [&](const char* list, const json& value, const char* why) {
+    json broken = whole;
+    broken["film"][list][3] = value;
+    write("broken.json", broken.dump());
+    const Outcome outcome = compare(std::string(tiny) + " --reference broken.json -o o");
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    EXPECT_HAS(outcome.err, why);
+    EXPECT_HAS(outcome.err, "broken.json");
+  };
+  refused("value", nullptr, "1 of 8 values of its film are no numbers");
+  refused("standard_error", -1, "a standard error of its film is below zero");
+  refused("value", "light", "broken.json");
+  json shorter = whole;
+  for (const char* list : {"value", "standard_error", "reliable"})
+    shorter["film"][list].erase(shorter["film"][list].size() - 1);
+  write("broken.json", shorter.dump());
+  const Outcome outcome = compare(std::string(tiny) + " --reference broken.json -o o");
+  EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+  EXPECT_HAS(outcome.err, "8 bins has 7 values");
+  const std::string image = contents(folder / "ref" / "film.exr");
+  write("cut.exr", image.substr(0, image.size() / 2));
+  EXPECT_EQ(compare(std::string(tiny) + " --reference cut.exr -o o").exit_code, 3);
+  EXPECT_FALSE(exists("o"));
+}
+
 TEST_F(CompareCommand, KnowsADiffuseSceneExactlyAndNeedsNoCacheForIt) {
   const json document = compared(tiny);
   EXPECT_TRUE(document["reference"]["origin"].get<std::string>().starts_with("exact"));
@@ -36,17 +64,33 @@ TEST_F(CompareCommand, KnowsADiffuseSceneExactlyAndNeedsNoCacheForIt) {
 
 TEST_F(CompareCommand, KeepsLongRunsAndMakesMoreWhenTheyDoNotSuffice) {
   write("mirror.json", mirror_box());
+  const auto kept = [&] {
+    std::string text;
+    for (const auto& file : fs::directory_iterator(folder / "cache" / "wanderlight"))
+      text += contents(file);
+    return text;
+  };
   const auto origin = [&](const std::string& arguments) {
     return compared("mirror.json -m pt,bdpt " + arguments)["reference"]["origin"]
         .get<std::string>();
   };
-  EXPECT_HAS(origin("-b 4k --replicates 4"), "2 independent runs");
-  EXPECT_EQ(cached_files(), 1u);
-  const std::string kept = contents(cached_file());
-  EXPECT_HAS(origin("-b 500 --replicates 4"), "2 independent runs");
-  EXPECT_EQ(contents(cached_file()), kept);
-  EXPECT_HAS(origin("-b 200k --replicates 4"), "independent runs");
-  EXPECT_NE(contents(cached_file()), kept);
+  EXPECT_HAS(origin("-b 8k --replicates 4"), "the mean of 2 independent runs of ");
+  EXPECT_EQ(cached_files(), 2u);
+  const std::string first = kept();
+  EXPECT_HAS(origin("-b 500 --replicates 2"), "and 2 independent runs of ");
+  EXPECT_EQ(kept(), first);
+  EXPECT_HAS(origin("-b 100k --replicates 4"), " independent runs of ");
+  EXPECT_NE(kept(), first);
+}
+
+// Whoever takes part, two methods that do well make it.
+TEST_F(CompareCommand, AReferenceIsMadeByTwoMethodsThatNeedNotTakePart) {
+  write("mirror.json", mirror_box());
+  const json document = compared("mirror.json -m mlt -b 10k --replicates 2");
+  const std::string origin = document["reference"]["origin"];
+  EXPECT_HAS(origin, ", weight ");
+  EXPECT_LACKS(origin, "of mlt");  // one wall and one mirror: its seed pass is no match for others
+  EXPECT_EQ(document["cautions"].dump().find("do not agree"), std::string::npos);
 }
 
 // χ² of 8 bins exceeds 8 × 7.5 once in 2e9 times.

@@ -53,9 +53,12 @@ TEST(Seeds, AreDistinctAndKeptExactlyByJson) {
   std::set<std::uint64_t> seeds;
   for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}}) {
     for (const Turn& turn : schedule({5, 4, 30}, seed)) seeds.insert(turn.seed);
-    for (std::uint64_t run = 0; run < 20; ++run) seeds.insert(reference_seed(seed, run));
+    for (std::uint64_t run = 0; run < 20; ++run) {
+      seeds.insert(reference_seed(seed, run));
+      seeds.insert(trial_seed(seed, run));
+    }
   }
-  EXPECT_EQ(seeds.size(), 3u * (600 + 20));
+  EXPECT_EQ(seeds.size(), 3u * (600 + 40));
   EXPECT_LT(*seeds.rbegin(), std::uint64_t{1} << 53);
 }
 
