@@ -18,6 +18,7 @@
 #include "tools/output_place.h"
 #include "tools/parsing.h"
 #include "tools/progress.h"
+#include "tools/reference_name.h"
 #include "tools/scene_source.h"
 #include "tools/verb.h"
 
@@ -37,13 +38,18 @@ struct CompareOptions {
   double target = not_known;
 };
 
-Plan plan_of(const CompareOptions& options, const Global& global) {
+// `max_vertices` is that of the scene, once it is read.
+std::vector<Entrant> entrants_of(const CompareOptions& options, std::optional<int> max_vertices) {
   std::vector<Setting> fixed;
   std::vector<Sweep> sweeps;
   for (const std::string& text : options.fixed) fixed.push_back(parse_setting(text));
   for (const std::string& text : options.sweeps) sweeps.push_back(parse_sweep(text));
+  return line_up(parse_methods(options.methods), fixed, sweeps, max_vertices);
+}
+
+Plan plan_of(const CompareOptions& options, const Global& global) {
   Plan plan{.source = options.scene,
-            .entrants = line_up(parse_methods(options.methods), fixed, sweeps),
+            .entrants = entrants_of(options, std::nullopt),
             .budgets = parse_budgets(options.budgets),
             .replicates = options.replicates,
             .seed = global.seed,
@@ -121,8 +127,9 @@ Runs runs_of(const SceneDocument& document, const Plan& plan, const CompareOptio
 ExitCode compare_methods(const CompareOptions& options, const Global& global) {
   if (global.out.empty() && !global.json)
     throw UsageError("compare needs -o DIR (where the tables go), or --json, or both");
-  const Plan plan = plan_of(options, global);
+  Plan plan = plan_of(options, global);
   const SceneDocument document = scene_for(plan);
+  plan.entrants = entrants_of(options, document.scene.max_vertices);
   std::optional<OutputDirectory> directory;
   if (!global.out.empty()) directory.emplace(global.out, global);
 
@@ -131,6 +138,8 @@ ExitCode compare_methods(const CompareOptions& options, const Global& global) {
   if (directory) write_comparison(comparison, directory->path());
   if (!global.quiet) {
     for (const std::string& line : comparison.verdict) print_note(line + "\n");
+    print_note(
+        fmt::format("  reference {}\n", name_of_reference(comparison.runs.reference.origin)));
     if (directory) print_note(fmt::format("  saved in  {}\n", directory->path().string()));
   }
   for (const std::string& warning : comparison.runs.warnings) spdlog::warn("{}", warning);
@@ -152,8 +161,10 @@ samples (300k, 5M) or all seconds (0.5s, 30s).  With samples, the same seed give
 whatever the number of threads.
 
 A sweep adds, to each method that has the dial, one contender for each value, the other dials being
-as usual or as --dial says.  Several sweeps are made one after the other.  Values that hold commas
-are parted by semicolons: --sweep 'mutations=lens=1,primary=1;bidirectional=1'.
+as usual or as --dial says.  The usual value takes part in any case, and once: where a sweep names
+it, the label ends in (default), or in (base) after --dial.  Several sweeps are made one after the
+other.  Values that hold commas are parted by semicolons:
+--sweep 'mutations=lens=1,primary=1;bidirectional=1'.
 
 Errors are measured against a reference whose own error is known and allowed for:
   FILE  a run.json, film.exr, or DIR of an earlier render, or the reference.json of a comparison
