@@ -44,7 +44,7 @@ std::string crossings_of(const Comparison& comparison) {
   std::string text;
   for (const compare::Crossing& c : comparison.crossings) {
     const std::string chance =
-        std::isfinite(c.p_value) ? fmt::format("; p = {:.2g}", c.p_value) : "";
+        std::isfinite(c.p_value) ? fmt::format(", p = {:.2g}", c.p_value) : "";
     text += fmt::format("  {}{}\n", compare::standing(comparison, c), chance);
   }
   return text;

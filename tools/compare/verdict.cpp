@@ -174,13 +174,13 @@ std::string time_to_target(const Comparison& comparison, std::size_t contender) 
   const double longest = longest_run(comparison, contender);
   if (std::isnan(longest)) return "unknown";
   if (seconds.value == 0)
-    return fmt::format("at most {}, its shortest run",
+    return fmt::format("at most its shortest run ({})",
                        duration_in_words(shortest_run(comparison, contender)));
   if (std::isnan(seconds.value))
     return curve.inverse_root
-               ? fmt::format("more than {} times its longest run, {}", farthest,
+               ? fmt::format("more than {} times its longest run ({})", farthest,
                              duration_in_words(longest))
-               : fmt::format("not reached in its longest run, {}", duration_in_words(longest));
+               : fmt::format("not reached in its longest run ({})", duration_in_words(longest));
   return is_extrapolated(comparison, curve)
              ? fmt::format("extrapolated: about {}", seconds_with_interval(seconds))
              : seconds_with_interval(seconds);

@@ -83,7 +83,7 @@ void write_slopes(Html& html, const Subject& subject) {
 
 std::string in_words(const Subject& subject, const Crossing& crossing) {
   const std::string chance = std::isfinite(crossing.p_value)
-                                 ? fmt::format(" (p = {:.2g})", crossing.p_value)
+                                 ? fmt::format(", p = {:.2g}", crossing.p_value)
                                  : std::string();
   std::string text = compare::standing(subject.comparison, crossing) + chance;
   if (!crossing.significant) return text + ".";

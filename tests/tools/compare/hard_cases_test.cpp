@@ -139,7 +139,7 @@ TEST(Verdict, SaysWhatIsNotSignificant) {
   Generator random(10);
   const Comparison c =
       summarize(made_runs({.replicates = 4}, {{"a", 0.1}, {"b", 0.1}, {"c", 0.9}}, random));
-  EXPECT_SAYS(c.verdict, "which is ahead cannot be told");
+  EXPECT_SAYS(c.verdict, " is ahead cannot be told: at 8s ");
   EXPECT_SAYS(c.verdict, "Not significant: the difference between ");
   EXPECT_LE(c.verdict.size(), 6U);
 }

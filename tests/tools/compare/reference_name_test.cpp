@@ -8,7 +8,9 @@ namespace {
 TEST(ReferenceName, IsWhatIsKnownOfIt) {
   EXPECT_EQ(name_of_reference(std::string("exact: diffuse surfaces, solved")), "exact");
   EXPECT_EQ(name_of_reference(std::string("the mean of 2 runs")), "the mean of 2 runs");
-  Rendering rendering{.method = "bdpt", .samples = 2'000'000};
+  Rendering rendering;
+  rendering.method = "bdpt";
+  rendering.samples = 2'000'000;
   rendering.warnings = {"exact: no"};
   EXPECT_EQ(name_of_reference(rendering), "bdpt, 2 M samples");
   rendering.method = "reference";
