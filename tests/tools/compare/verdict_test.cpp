@@ -41,7 +41,8 @@ TEST(Verdict, TimesBeyondTheLongestRunAreSaidToBeExtrapolated) {
   const Comparison c = four_methods();
   EXPECT_EQ(time_to_target(c, 0), "at most its shortest run (1 s)");
   EXPECT_TRUE(time_to_target(c, 1).starts_with("2.")) << time_to_target(c, 1);
-  EXPECT_TRUE(time_to_target(c, 2).starts_with("extrapolated: about 6 s (")) << time_to_target(c, 2);
+  EXPECT_TRUE(time_to_target(c, 2).starts_with("extrapolated: about 6 s ("))
+      << time_to_target(c, 2);
   EXPECT_EQ(time_to_target(c, 3), "more than 4 times its longest run (4 s)");
   for (std::size_t k = 0; k < 4; ++k)
     EXPECT_TRUE(says(told(c), c.runs.contenders[k].label + " " + time_to_target(c, k)));
