@@ -21,6 +21,7 @@
 #include "tools/output_place.h"
 #include "tools/parsing.h"
 #include "tools/progress.h"
+#include "tools/reference_name.h"
 #include "tools/scene_source.h"
 #include "tools/verb.h"
 
@@ -43,13 +44,18 @@ struct CompareOptions {
   std::optional<SceneDocument> document;
 };
 
-Plan plan_of(const CompareOptions& options, const Global& global) {
+// `max_vertices` is that of the scene, once it is read.
+std::vector<Entrant> entrants_of(const CompareOptions& options, std::optional<int> max_vertices) {
   std::vector<Setting> fixed;
   std::vector<Sweep> sweeps;
   for (const std::string& text : options.fixed) fixed.push_back(parse_setting(text));
   for (const std::string& text : options.sweeps) sweeps.push_back(parse_sweep(text));
+  return line_up(parse_methods(options.methods), fixed, sweeps, max_vertices);
+}
+
+Plan plan_of(const CompareOptions& options, const Global& global) {
   Plan plan{.source = options.scene,
-            .entrants = line_up(parse_methods(options.methods), fixed, sweeps),
+            .entrants = entrants_of(options, std::nullopt),
             .budgets = parse_budgets(options.budgets),
             .replicates = options.replicates,
             .seed = global.seed,
@@ -79,6 +85,7 @@ void examine(CompareOptions& options, const Global& global, Examination& examina
     options.document = options.plan ? scene_for(*options.plan) : open_scene(options.scene);
   });
   if (!options.plan || !options.document) return;
+  options.plan->entrants = entrants_of(options, options.document->scene.max_vertices);
   for (const Entrant& entrant : options.plan->entrants)
     examination.part([&] { require_possible(entrant.contender.method, options.document->scene); });
 }
@@ -195,6 +202,8 @@ ExitCode compare_methods(const CompareOptions& options, const Global& global) {
   if (directory) write_comparison(comparison, directory->path());
   if (!global.quiet) {
     for (const std::string& line : comparison.verdict) print_note(line + "\n");
+    print_note(
+        fmt::format("  reference {}\n", name_of_reference(comparison.runs.reference.origin)));
     if (directory) print_note(fmt::format("  saved in  {}\n", directory->path().string()));
   }
   for (const std::string& warning : comparison.runs.warnings) spdlog::warn("{}", warning);
@@ -218,8 +227,10 @@ same seed gives the same films, whatever the number of threads, and against the 
 same errors.
 
 A sweep adds, to each method that has the dial, one contender for each value, the other dials being
-as usual or as --dial says.  Several sweeps are made one after the other.  Values that hold commas
-are parted by semicolons: --sweep 'mutations=lens=1,primary=1;bidirectional=1'.
+as usual or as --dial says.  The usual value takes part in any case, and once: where a sweep names
+it, the label ends in (default), or in (base) after --dial.  Several sweeps are made one after the
+other.  Values that hold commas are parted by semicolons:
+--sweep 'mutations=lens=1,primary=1;bidirectional=1'.
 
 Errors are measured against a reference whose own error is known and allowed for:
   FILE  a run.json, film.exr, or DIR of an earlier render, or the reference.json of a comparison

@@ -100,6 +100,10 @@ const std::vector<Dial>& table() {
 
 }  // namespace
 
+StepEstimator usual_estimator(std::string_view method) {
+  return method == "pssmlt" ? StepEstimator::kelemen : StepEstimator::expected;
+}
+
 std::string Dial::option() const {
   std::string name = "--" + std::string(word);
   std::ranges::replace(name, '_', '-');

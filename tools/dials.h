@@ -13,9 +13,10 @@
 
 namespace wander {
 
-// What the steps of pssmlt and mmlt deposit (mlt/primary_estimator.h).  The usual of pssmlt is
-// Kelemen's, as published; that of mmlt is expected values.
+// What the steps of pssmlt and mmlt deposit (mlt/primary_estimator.h).
 enum class StepEstimator { usual, kelemen, expected };
+// Of pssmlt Kelemen's, as published; of mmlt expected values.
+StepEstimator usual_estimator(std::string_view method);
 
 struct Dials {
   MutationWeights mutations{};                     // of mlt; empty: auto
@@ -27,6 +28,7 @@ struct Dials {
   double kernel = 1;                               // a factor on how far small moves go
 
   FamilySettings family() const { return {mutations, large_step, kernel}; }
+  bool operator==(const Dials&) const = default;
 };
 
 // A dial as the command line knows it.

@@ -8,6 +8,7 @@
 #include "tools/compare/comparison_json.h"
 #include "tools/compare/verdict.h"
 #include "tools/inspection.h"
+#include "tools/reference_name.h"
 #include "tools/wording.h"
 
 namespace wander {
@@ -42,11 +43,9 @@ std::string table_of(const Comparison& comparison) {
 std::string crossings_of(const Comparison& comparison) {
   std::string text;
   for (const compare::Crossing& c : comparison.crossings) {
-    const auto& contenders = comparison.runs.contenders;
-    const std::string time =
-        c.seconds.value == 0 ? "the first budget" : compare::seconds_with_interval(c.seconds);
-    text += fmt::format("  {} ahead of {} from {} on{}\n", contenders[c.ahead].label,
-                        contenders[c.behind].label, time, c.significant ? "" : "; not significant");
+    const std::string chance =
+        std::isfinite(c.p_value) ? fmt::format(", p = {:.2g}", c.p_value) : "";
+    text += fmt::format("  {}{}\n", compare::standing(comparison, c), chance);
   }
   return text;
 }
@@ -73,8 +72,11 @@ std::string text_of_comparison(const Comparison& comparison) {
   for (const std::string& sentence : comparison.verdict) text += sentence + '\n';
   text += '\n' + table_of(comparison);
   if (!comparison.crossings.empty()) text += '\n' + crossings_of(comparison);
-  text += fmt::format("\n  reference       {}; its own relative error is {}\n",
-                      runs.reference.origin, percent(relative_error(runs.reference.film)));
+  text += fmt::format("\n  reference       {}", runs.reference.origin);
+  if (!is_exact(runs.reference.origin))
+    text +=
+        fmt::format("; its own relative error is {}", percent(relative_error(runs.reference.film)));
+  text += '\n';
   text += fmt::format("  scene           {}\n", runs.provenance.scene_name.empty()
                                                     ? "without a name"
                                                     : runs.provenance.scene_name);

@@ -7,6 +7,7 @@
 #include "core/output/run_json.h"
 #include "tools/failure.h"
 #include "tools/inspection.h"
+#include "tools/reference_name.h"
 #include "tools/summary.h"
 #include "tools/wording.h"
 
@@ -82,6 +83,7 @@ std::string text_of_run(const RunRecord& run) {
                       provenance.scene_name.empty() ? "without a name" : provenance.scene_name);
   text += fmt::format("  scene sha256    {}\n", provenance.scene_sha256);
   text += made_by_lines(provenance);
+  if (!origin_of(run.rendering).empty()) return text;  // which is no warning
   for (const std::string& warning : run.rendering.warnings)
     text += fmt::format("  warning         {}\n", warning);
   return text;
@@ -94,7 +96,8 @@ ordered_json compare_runs(const RunRecord& run, const RunRecord& reference) {
     throw UsageError("the film and its reference have different shapes: nothing to compare");
   const FilmComparison comparison = film_comparison(film, expected);
   return {{"reference",
-           {{"method", reference.rendering.method},
+           {{"name", name_of_reference(reference.rendering)},
+            {"method", reference.rendering.method},
             {"samples", reference.rendering.samples},
             {"command_line", reference.provenance.command_line}}},
           {"same_scene", run.provenance.scene_sha256 == reference.provenance.scene_sha256},
@@ -106,10 +109,8 @@ ordered_json compare_runs(const RunRecord& run, const RunRecord& reference) {
 }
 
 std::string text_of_comparison(const ordered_json& comparison) {
-  const ordered_json& reference = comparison["reference"];
-  std::string text = fmt::format("against the reference ({}, {} samples)\n",
-                                 reference["method"].get<std::string>(),
-                                 count_in_words(reference["samples"].get<double>()));
+  std::string text = fmt::format("against the reference ({})\n",
+                                 comparison["reference"]["name"].get<std::string>());
   if (!comparison["same_scene"].get<bool>())
     text += "  warning         the reference is of another scene file\n";
   text += fmt::format("  relative RMSE   {}\n", share(comparison["relative_rmse"]));

@@ -8,8 +8,8 @@
 
 #include "core/output/run_json.h"
 #include "tools/failure.h"
+#include "tools/reference_name.h"
 #include "tools/scene_source.h"
-#include "tools/wording.h"
 
 namespace wander {
 
@@ -39,7 +39,9 @@ std::string short_name(const std::string& path) {
 
 // The method, with the name of the run where two runs share a method.
 std::string label_of(const Film& film, const std::vector<Film>& films) {
-  const std::string& method = film.run.rendering.method;
+  const Rendering& rendering = film.run.rendering;
+  if (const std::string origin = origin_of(rendering); is_exact(origin)) return "exact";
+  const std::string& method = rendering.method;
   const auto same = std::count_if(films.begin(), films.end(), [&](const Film& other) {
     return other.run.rendering.method == method;
   });
@@ -47,10 +49,7 @@ std::string label_of(const Film& film, const std::vector<Film>& films) {
 }
 
 figure::LabelledFilm reference_film(const Film& film) {
-  const Rendering& rendering = film.run.rendering;
-  return {fmt::format("{}, {} samples", rendering.method,
-                      count_in_words(static_cast<double>(rendering.samples))),
-          rendering};
+  return {name_of_reference(film.run.rendering), film.run.rendering};
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "core/output/film_statistics.h"
+#include "tools/reference_name.h"
 #include "tools/wording.h"
 
 namespace wander {
@@ -15,6 +16,8 @@ namespace wander {
 namespace {
 
 std::string work_line(const Rendering& rendering) {
+  if (const std::string origin = origin_of(rendering); !origin.empty())
+    return fmt::format("reference: {}\n", origin);
   std::string line = fmt::format("{}: {} samples", rendering.method,
                                  count_in_words(static_cast<double>(rendering.samples)));
   if (rendering.seconds > 0) {
@@ -36,8 +39,10 @@ std::string film_lines(const FilmEstimate& film) {
   std::string text = fmt::format("  film            {} bins, mean {:.6g}\n",
                                  fmt::join(film.shape, " x "), mean_value(film));
   text += fmt::format("  relative error  {}\n", percent(relative_error(film)));
-  return text + fmt::format("  reliable        {} of {} bins ({:.4g} degrees of freedom)\n",
-                            reliable_bins(film), film.value.size(), film.degrees_of_freedom);
+  text += fmt::format("  reliable        {} of {} bins", reliable_bins(film), film.value.size());
+  if (std::isfinite(film.degrees_of_freedom))
+    text += fmt::format(" ({:.4g} degrees of freedom)", film.degrees_of_freedom);
+  return text + '\n';
 }
 
 std::string normalization_lines(const Normalization& normalization) {

@@ -28,8 +28,8 @@ class WorldMethods {
     for (const Estimator& estimator : estimators())
       if (method == estimator.name) return estimated(estimator);
     const Space space(*scene_, Roulette::off);
-    if (method == "pssmlt") return primary<PssmltGroup>(space, "pssmlt", StepEstimator::kelemen);
-    if (method == "mmlt") return primary<MmltGroup>(space, "mmlt", StepEstimator::expected);
+    if (method == "pssmlt") return primary<PssmltGroup>(space, "pssmlt");
+    if (method == "mmlt") return primary<MmltGroup>(space, "mmlt");
     const Family family = make_family(dials_.family(), requires_of(description_));
     return ChainRenderer(space, family, session_, dials_.chains).render("mlt");
   }
@@ -44,16 +44,15 @@ class WorldMethods {
     return rendering;
   }
 
-  // `usual` is the estimator of the method unless another was asked for.
   template <template <class S, class SmallStep, class Estimator> class Chains>
-  Rendering primary(const Space& space, const char* method, StepEstimator usual) const {
+  Rendering primary(const Space& space, const char* method) const {
     const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials_.kernel), dials_.large_step};
     const auto with = [&]<class Estimator>(Estimator) {
       using Group = Chains<Space, Kelemen, Estimator>;
       return ChainRenderer<Space, Group>(space, kernel, session_, dials_.chains).render(method);
     };
     const StepEstimator estimator =
-        dials_.estimator == StepEstimator::usual ? usual : dials_.estimator;
+        dials_.estimator == StepEstimator::usual ? usual_estimator(method) : dials_.estimator;
     return estimator == StepEstimator::kelemen ? with(KelemenWeights{}) : with(ExpectedValues{});
   }
 

@@ -52,16 +52,17 @@ struct Curve {
   // The slope over log seconds is compatible with -1/2: its interval holds it, or it is within 0.1.
   bool inverse_root = false;
   // To the target error of the comparison.  Where the slope is compatible, relative RMSE at t
-  // seconds = √(constant / t), of all cells together, up to 100 times the last budget.  Elsewhere
-  // interpolated between the budgets, log over log: 0 if the first reaches it.
+  // seconds = √(constant / t), of all cells together, up to 4 times the longest run; beyond that
+  // run it is extrapolated (curves.h).  Elsewhere interpolated between the budgets, log over log.
+  // 0 if the first budget reaches it.
   Measured seconds_to_target;
 };
 
 // Where the curves of two contenders meet, if one is ahead from there on.
 struct Crossing {
   std::size_t ahead = 0, behind = 0;  // contenders
-  // From this time on, interpolated between the budgets: 0 at the first or before; not known where
-  // `ahead` has more error at the end of the time that both have measured.
+  // From this time on, interpolated between the budgets and never extrapolated: 0 at the first or
+  // before; not known where `ahead` has more error at the end of the time that both have measured.
   Measured seconds;
   bool significant = false;    // ahead at the decisive budget beyond chance (5 %, all pairs)
   double p_value = not_known;  // two-sided, corrected for all pairs [Holm 1979]

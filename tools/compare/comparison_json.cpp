@@ -5,6 +5,7 @@
 
 #include "core/output/run_json.h"
 #include "tools/compare/comparison_fields.h"
+#include "tools/compare/curves.h"
 
 namespace wander::compare {
 
@@ -46,10 +47,15 @@ ordered_json json_of(const Cell& cell) {
   return json;
 }
 
-ordered_json json_of(const Curve& curve) {
-  ordered_json json{{"contender", curve.contender}, {"inverse_root", curve.inverse_root}};
-  write_fields(json, curve, curve_fields);
-  return json;
+ordered_json curves_of(const Comparison& comparison) {
+  ordered_json list = ordered_json::array();
+  for (const Curve& curve : comparison.curves) {
+    ordered_json json{{"contender", curve.contender}, {"inverse_root", curve.inverse_root}};
+    write_fields(json, curve, curve_fields);
+    json["extrapolated"] = is_extrapolated(comparison, curve);
+    list.push_back(std::move(json));
+  }
+  return list;
 }
 
 ordered_json json_of(const Crossing& crossing) {
@@ -142,7 +148,7 @@ ordered_json to_json(const Comparison& comparison) {
                      {{"origin", runs.reference.origin},
                       {"film", wander::to_json(runs.reference.film, provenance.dimension)}}},
                     {"cells", list_of(comparison.cells)},
-                    {"curves", list_of(comparison.curves)},
+                    {"curves", curves_of(comparison)},
                     {"crossings", list_of(comparison.crossings)},
                     {"profiles", list_of(comparison.profiles)}};
   write_runs(json, comparison);

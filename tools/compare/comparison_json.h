@@ -5,6 +5,7 @@
 //   decisive_budget, ranking, target       of contenders, least error first
 //   reference                              its origin in words, and the film
 //   cells, curves, crossings, profiles     with the names and units of comparison.h
+//     of a curve, "extrapolated": true     its seconds_to_target lie beyond its longest run
 //   runs                                   each with seed, samples, seconds, errors, film, and the
 //                                          command that makes it again
 //   failures                               runs that gave no film, and why

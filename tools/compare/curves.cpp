@@ -10,7 +10,6 @@ namespace wander::compare {
 
 namespace {
 
-constexpr double farthest = 100;  // times the last budget, that a constant is believed
 constexpr double slope_of_unbiased = -0.5;
 constexpr double near_enough = 0.1;  // to it, whatever the interval
 
@@ -82,8 +81,19 @@ bool compatible(const Measured& slope) {
   return slope.interval.low <= slope_of_unbiased && slope_of_unbiased <= slope.interval.high;
 }
 
-double within_reach(double seconds, double last) {
+// What runs of `first` to `last` seconds can tell of a time: 0 if the first is enough.
+double within_reach(double seconds, double first, double last) {
+  if (seconds <= first) return 0;
   return seconds <= farthest * last ? seconds : std::numeric_limits<double>::infinity();
+}
+
+template <class Better>
+double run_of(const Comparison& comparison, std::size_t contender, Better better) {
+  double found = not_known;
+  for (const Cell& cell : comparison.cells)
+    if (cell.contender == contender && cell.relative_rmse.value > 0 && cell.seconds.value > 0)
+      found = better(found, cell.seconds.value);
+  return found;
 }
 
 Measured by_constant(const std::vector<Point>& points, const std::vector<double>& weights,
@@ -96,11 +106,12 @@ Measured by_constant(const std::vector<Point>& points, const std::vector<double>
     mean_log_seconds += coefficients[i] * points[i].log_seconds;
   }
   const Linear log_mse = applied(points, coefficients);
+  const double first = std::exp(points.front().log_seconds);
   const double last = std::exp(points.back().log_seconds);
   const auto seconds = [&](double log_m) {
     return std::isnan(log_m)
                ? log_m
-               : within_reach(std::exp(log_m + mean_log_seconds) / (target * target), last);
+               : within_reach(std::exp(log_m + mean_log_seconds) / (target * target), first, last);
   };
   Draws draws = log_mse.draws;
   for (double& draw : draws) draw = seconds(draw);
@@ -118,19 +129,33 @@ Measured by_interpolation(const std::vector<Point>& points, double target) {
 
 double replicate_seconds(const std::vector<ReplicatePoint>& points, const Curve& curve,
                          double target) {
-  double constant = 0, last = 0;
+  double constant = 0, last = 0, first = std::numeric_limits<double>::infinity();
   Path path;
   for (const ReplicatePoint& p : points) {
     constant += p.relative_mse * p.seconds / static_cast<double>(points.size());
+    first = std::min(first, p.seconds);
     last = std::max(last, p.seconds);
     if (p.relative_mse > 0) path.push_back({std::log(p.seconds), std::log(p.relative_mse)});
   }
-  if (curve.inverse_root) return within_reach(std::max(constant, 0.0) / (target * target), last);
+  if (curve.inverse_root)
+    return within_reach(std::max(constant, 0.0) / (target * target), first, last);
   std::ranges::sort(path, {}, &Knot::log_seconds);
   return seconds_below(path, 2 * std::log(target));
 }
 
 }  // namespace
+
+double longest_run(const Comparison& comparison, std::size_t contender) {
+  return run_of(comparison, contender, [](double a, double b) { return std::fmax(a, b); });
+}
+
+double shortest_run(const Comparison& comparison, std::size_t contender) {
+  return run_of(comparison, contender, [](double a, double b) { return std::fmin(a, b); });
+}
+
+bool is_extrapolated(const Comparison& comparison, const Curve& curve) {
+  return curve.seconds_to_target.value > longest_run(comparison, curve.contender);
+}
 
 double round_target(const Measurements& all, std::size_t budget) {
   double least = std::numeric_limits<double>::infinity();

@@ -3,6 +3,8 @@
 // Slope: weighted least squares of log relative RMSE = s log t + c over cells, a cell weighing the
 // inverse variance of its draws; the interval is that of the same fit to draws.  An estimator
 // without bias has s = -1/2, and then m t is a constant c of all cells, log c their weighted mean.
+// Along it the time to an error may lie beyond the longest run: that is extrapolated, said to be so
+// wherever it is told, and told up to a few times that run only.
 #pragma once
 
 #include <optional>
@@ -10,6 +12,14 @@
 #include "tools/compare/measurements.h"
 
 namespace wander::compare {
+
+inline constexpr double farthest = 4;  // times the longest run, that a time is extrapolated to
+
+// Seconds, of the cells of a contender that have an error; not known where there are none.
+double longest_run(const Comparison& comparison, std::size_t contender);
+double shortest_run(const Comparison& comparison, std::size_t contender);
+// The time to the target lies beyond the longest run.
+bool is_extrapolated(const Comparison& comparison, const Curve& curve);
 
 // The least of 1, 2, 5, 10 ... that is not below the least error of the cells of one budget.
 double round_target(const Measurements& all, std::size_t budget);

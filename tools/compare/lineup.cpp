@@ -58,13 +58,72 @@ Entrant turned(Entrant base, const Dial& dial, const std::string& value) {
   return base;
 }
 
-void require_distinct(std::span<const Entrant> entrants) {
-  for (std::size_t i = 0; i < entrants.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j)
-      if (entrants[i].contender.label == entrants[j].contender.label)
+// The order and the sum of weights do not matter.
+MutationWeights normalized(MutationWeights weights) {
+  std::erase_if(weights, [](const auto& weight) { return !(weight.second > 0); });
+  std::ranges::sort(weights);
+  double sum = 0;
+  for (const auto& [word, weight] : weights) sum += weight;
+  for (auto& [word, weight] : weights) weight /= sum;
+  return weights;
+}
+
+// Who takes part so far, by what the dials come to.
+class Lineup {
+ public:
+  explicit Lineup(std::optional<int> max_vertices) : max_vertices_(max_vertices) {}
+
+  bool are_the_same(const Entrant& a, const Entrant& b) const {
+    return a.contender.method == b.contender.method && resolved(a) == resolved(b);
+  }
+  void add(Entrant entrant) {
+    for (const Entrant& other : entrants_)
+      if (are_the_same(entrant, other))
         throw UsageError(
             fmt::format("'{}' would take part twice; name every method and setting once",
-                        entrants[i].contender.label));
+                        entrant.contender.label));
+    entrants_.push_back(std::move(entrant));
+  }
+  std::vector<Entrant> all() && { return std::move(entrants_); }
+
+ private:
+  Dials resolved(const Entrant& entrant) const {
+    Dials dials = entrant.dials;
+    dials.mutations = normalized(std::move(dials.mutations));
+    if (dials.estimator == StepEstimator::usual)
+      dials.estimator = usual_estimator(entrant.contender.method);
+    if (!dials.max_vertices) dials.max_vertices = max_vertices_;
+    return dials;
+  }
+
+  std::optional<int> max_vertices_;
+  std::vector<Entrant> entrants_{};
+};
+
+// The base point, and the settings of the sweeps that are no other point.
+void add_method(Lineup& lineup, Entrant base, std::span<const Sweep> sweeps) {
+  const Entrant plain = base;
+  std::vector<Entrant> others;
+  std::vector<const Dial*> met;  // sweeps that hold the base point
+  for (const Sweep& sweep : sweeps)
+    for (const std::string& value : sweep.values) {
+      Entrant other = turned(plain, *sweep.dial, value);
+      if (!lineup.are_the_same(other, plain)) {
+        others.push_back(std::move(other));
+      } else if (std::ranges::find(met, sweep.dial) == met.end()) {
+        met.push_back(sweep.dial);
+        base.contender.label += fmt::format(" {}={}", sweep.dial->word, value);
+      } else {
+        lineup.add(std::move(other));
+      }
+    }
+  const auto is_fixed = [&](const Dial* dial) {
+    return std::ranges::find(plain.settings, dial, &Setting::dial) != plain.settings.end();
+  };
+  if (!met.empty())
+    base.contender.label += std::ranges::any_of(met, is_fixed) ? " (base)" : " (default)";
+  lineup.add(std::move(base));
+  for (Entrant& other : others) lineup.add(std::move(other));
 }
 
 }  // namespace
@@ -91,21 +150,17 @@ Sweep parse_sweep(std::string_view text) {
 }
 
 std::vector<Entrant> line_up(std::span<const MethodName* const> methods,
-                             std::span<const Setting> fixed, std::span<const Sweep> sweeps) {
+                             std::span<const Setting> fixed, std::span<const Sweep> sweeps,
+                             std::optional<int> max_vertices) {
   for (const Setting& setting : fixed) require_of_some(*setting.dial, methods);
   for (const Sweep& sweep : sweeps) require_of_some(*sweep.dial, methods);
-  std::vector<Entrant> entrants;
+  Lineup lineup(max_vertices);
   for (const MethodName* method : methods) {
-    const Entrant base = entrant(*method, fixed);
-    entrants.push_back(base);
-    for (const Sweep& sweep : sweeps) {
-      if (!has(*method, *sweep.dial)) continue;
-      for (const std::string& value : sweep.values)
-        entrants.push_back(turned(base, *sweep.dial, value));
-    }
+    std::vector<Sweep> own(sweeps.begin(), sweeps.end());
+    std::erase_if(own, [&](const Sweep& sweep) { return !has(*method, *sweep.dial); });
+    add_method(lineup, entrant(*method, fixed), own);
   }
-  require_distinct(entrants);
-  return entrants;
+  return std::move(lineup).all();
 }
 
 }  // namespace wander::compare

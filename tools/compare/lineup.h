@@ -2,9 +2,12 @@
 //
 // Every method starts at the base point, where all dials are as usual or as --dial says.  Each
 // --sweep adds, to every method that has its dial, one contender for each of its settings, the
-// other dials being as at the base point: sweeps are made one after the other, not multiplied.
+// other dials being as at the base point: sweeps are made one after the other, not multiplied.  A
+// setting that is the base point itself adds none, but is named in its label: "mlt large_step=0.3
+// (default)", or "(base)" where --dial has turned it.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -40,8 +43,10 @@ Setting parse_setting(std::string_view text);                         // "DIAL=V
 // "DIAL=V1,V2,…".  Values that hold commas themselves are parted by semicolons.
 Sweep parse_sweep(std::string_view text);
 
-// Throws UsageError where a dial is of no method, or a contender would take part twice.
+// `max_vertices` is what the scene says, if that is known.  Throws UsageError where a dial is of no
+// method, or a contender would take part twice.
 std::vector<Entrant> line_up(std::span<const MethodName* const> methods,
-                             std::span<const Setting> fixed, std::span<const Sweep> sweeps);
+                             std::span<const Setting> fixed, std::span<const Sweep> sweeps,
+                             std::optional<int> max_vertices);
 
 }  // namespace wander::compare

@@ -8,13 +8,14 @@
 #include "core/output/run_json.h"
 #include "tools/compare/comparison_csv.h"
 #include "tools/compare/comparison_json.h"
+#include "tools/reference_name.h"
 #include "tools/report/report.h"
 
 namespace wander::compare {
 
 RunRecord reference_record(const Runs& runs) {
   RunRecord record{.rendering = {.complete = runs.complete,
-                                 .method = "reference",
+                                 .method = reference_method_word,
                                  .seed = 0,
                                  .threads = 0,
                                  .film = runs.reference.film},

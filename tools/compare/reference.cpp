@@ -13,6 +13,7 @@
 #include "core/output/film_statistics.h"
 #include "core/output/run_json.h"
 #include "tools/failure.h"
+#include "tools/reference_name.h"
 
 namespace wander::compare {
 
@@ -69,7 +70,8 @@ Reference reference_from_file(const std::filesystem::path& file, const std::vect
     warnings.push_back(
         fmt::format("--reference {} is of a run that was interrupted", file.string()));
   const std::string origin =
-      fmt::format("{}, made by `{}`", file.string(), run.provenance.command_line);
+      fmt::format("{}{}, made by `{}`", is_exact(origin_of(run.rendering)) ? "exact: " : "",
+                  file.string(), run.provenance.command_line);
   return {std::move(run.rendering.film), origin};
 }
 

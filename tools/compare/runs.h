@@ -14,9 +14,9 @@ namespace wander::compare {
 
 // A method at one setting of its dials: a line of every table, a curve of every figure.
 struct Contender {
-  std::string label;              // "mlt", or "mlt large_step=0.1" in a sweep
-  std::string method;             // of --method
-  std::string dial{}, setting{};  // "large_step", "0.1"; both empty where nothing is swept
+  std::string label;   // "mlt"; in a sweep "mlt large_step=0.1", "mlt large_step=0.3 (default)"
+  std::string method;  // of --method
+  std::string dial{}, setting{};  // "large_step", "0.1"; both empty at the base point
 };
 
 // One rendering.  The film is whole, because errors against the mean of the replicates need it.

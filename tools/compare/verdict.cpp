@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/compare/curves.h"
 #include "tools/wording.h"
 
 namespace wander::compare {
@@ -27,6 +28,12 @@ std::string range(const Interval& interval, double factor) {
   return fmt::format(" ({}–{})", digits(factor * interval.low), digits(factor * interval.high));
 }
 
+// Zero is the first budget or before.
+std::string range_of_time(const Interval& seconds) {
+  if (seconds.low != 0) return range(seconds, 1);
+  return std::isnan(seconds.high) ? "" : range({not_known, seconds.high}, 1);
+}
+
 // The budgets are samples, and equal samples are not equal time.
 bool counts_samples(const std::string& budget) { return !budget.ends_with('s'); }
 
@@ -47,6 +54,7 @@ class Words {
   std::string pair(const Crossing& c) const {
     return fmt::format("{} and {}", label(c.ahead), label(c.behind));
   }
+  std::string standing(const Crossing& crossing) const;
   bool is_measured(std::size_t contender) const {
     return std::isfinite(cell(contender).relative_rmse.value);
   }
@@ -58,8 +66,6 @@ class Words {
   std::string of_the_target() const;
 
  private:
-  std::string lead(const Crossing& first) const;
-
   const Comparison& all_;
 };
 
@@ -70,17 +76,13 @@ std::string since(const Measured& seconds) {
     return seconds.interval.high > 0 ? fmt::format(" from the first budget on (or from {} s)",
                                                    digits(seconds.interval.high))
                                      : " from the first budget on";
-  return fmt::format(" from {} on{}", duration_in_words(seconds.value), range(seconds.interval, 1));
+  return fmt::format(" from {} on{}", duration_in_words(seconds.value),
+                     range_of_time(seconds.interval));
 }
 
-std::string Words::lead(const Crossing& first) const {
-  const std::string ratio = std::isnan(first.speedup.value)
-                                ? ""
-                                : fmt::format(", which is {} times the mean square error",
-                                              number_with_interval(first.speedup));
-  return fmt::format("{} is ahead of {}{}: at {} its relative RMSE is {}, that of {} {}{}.",
-                     label(first.ahead), label(first.behind), since(first.seconds), budget(),
-                     error(first.ahead), label(first.behind), error(first.behind), ratio);
+std::string Words::standing(const Crossing& c) const {
+  if (!c.significant) return fmt::format("Which of {} is ahead cannot be told", pair(c));
+  return fmt::format("{} is ahead of {}{}", label(c.ahead), label(c.behind), since(c.seconds));
 }
 
 std::string Words::headline() const {
@@ -89,11 +91,16 @@ std::string Words::headline() const {
   if (all_.crossings.empty())
     return fmt::format("At {} the relative RMSE of {} is {}.", budget(), label(best), error(best));
   const Crossing& first = all_.crossings.front();
-  if (first.significant) return lead(first);
-  return fmt::format(
-      "At {} the relative RMSE of {} is {} and that of {} {}: which is ahead cannot "
-      "be told.",
-      budget(), label(best), error(best), label(first.behind), error(first.behind));
+  if (!first.significant)
+    return fmt::format("{}: at {} the relative RMSE of {} is {}, that of {} {}.", standing(first),
+                       budget(), label(best), error(best), label(first.behind),
+                       error(first.behind));
+  const std::string ratio = std::isnan(first.speedup.value)
+                                ? ""
+                                : fmt::format(", which is {} times the mean square error",
+                                              number_with_interval(first.speedup));
+  return fmt::format("{}: at {} its relative RMSE is {}, that of {} {}{}.", standing(first),
+                     budget(), error(best), label(first.behind), error(first.behind), ratio);
 }
 
 // Whom the best one beats besides, by how much.
@@ -124,9 +131,11 @@ std::string Words::of_chance() const {
     return fmt::format("Every difference is significant (5 % over {} {}, Holm).",
                        all_.crossings.size(), all_.crossings.size() == 1 ? "pair" : "pairs");
   if (named > most_named) text += fmt::format("; and {} more", named - most_named);
-  return fmt::format("Not significant{}: the difference between {}.",
-                     all_.runs.replicates < 2 ? ", because a single replicate has no interval" : "",
-                     text);
+  if (all_.runs.replicates < 2)
+    text += ", because a single replicate has no interval";
+  else if (all_.crossings.size() == 1)
+    text += fmt::format(", p = {}", digits(all_.crossings.front().p_value));
+  return fmt::format("Not significant: the difference between {}.", text);
 }
 
 std::string Words::of_equal_time() const {
@@ -146,17 +155,36 @@ std::string Words::of_the_target() const {
   std::string text;
   std::size_t named = 0;
   for (const std::size_t c : all_.ranking) {
-    const Measured& seconds = all_.curves[c].seconds_to_target;
-    if (std::isnan(seconds.value) || ++named > most_named) continue;
-    text += fmt::format(
-        "{}{} {}", named > 1 ? ", " : "", label(c),
-        seconds.value == 0 ? "no more than the first budget" : seconds_with_interval(seconds));
+    if (!is_measured(c) || ++named > most_named) continue;
+    text += fmt::format("{}{} {}", named > 1 ? "; " : "", label(c), time_to_target(all_, c));
   }
   if (named == 0) return "";
-  return fmt::format("To a relative RMSE of {} it takes {}.", percent(all_.target), text);
+  return fmt::format("Time to a relative RMSE of {}: {}.", percent(all_.target), text);
 }
 
 }  // namespace
+
+std::string standing(const Comparison& comparison, const Crossing& crossing) {
+  return Words(comparison).standing(crossing);
+}
+
+std::string time_to_target(const Comparison& comparison, std::size_t contender) {
+  const Curve& curve = comparison.curves[contender];
+  const Measured& seconds = curve.seconds_to_target;
+  const double longest = longest_run(comparison, contender);
+  if (std::isnan(longest)) return "unknown";
+  if (seconds.value == 0)
+    return fmt::format("at most its shortest run ({})",
+                       duration_in_words(shortest_run(comparison, contender)));
+  if (std::isnan(seconds.value))
+    return curve.inverse_root
+               ? fmt::format("more than {} times its longest run ({})", farthest,
+                             duration_in_words(longest))
+               : fmt::format("not reached in its longest run ({})", duration_in_words(longest));
+  return is_extrapolated(comparison, curve)
+             ? fmt::format("extrapolated: about {}", seconds_with_interval(seconds))
+             : seconds_with_interval(seconds);
+}
 
 std::string percent_with_interval(const Measured& share) {
   if (std::isnan(share.value)) return "unknown";
@@ -169,7 +197,7 @@ std::string number_with_interval(const Measured& value) {
 
 std::string seconds_with_interval(const Measured& seconds) {
   if (std::isnan(seconds.value)) return "unknown";
-  return fmt::format("{} s{}", digits(seconds.value), range(seconds.interval, 1));
+  return fmt::format("{} s{}", digits(seconds.value), range_of_time(seconds.interval));
 }
 
 std::vector<std::string> verdict_of(const Comparison& comparison) {

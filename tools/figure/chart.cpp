@@ -14,21 +14,29 @@ namespace {
 
 constexpr double header = 12, panel_gap = 7, guide_row = 9, right_room = 10, legend_gap = 3;
 constexpr double points_per_tick = 22;
+constexpr double room = 3;
+
+constexpr std::string_view extrapolated_dashes = "0.9 2.2";
 
 struct Frame {
   ChartAxis x, y;
 };
 
-std::string define_clip(Svg& svg, const Frame& frame) {
-  constexpr double room = 3;  // for marks at the edge
-  const Range x = frame.x.axis.scale.page, y = frame.y.axis.scale.page;
+// The panel, with room for marks at its edge.
+Range across(const Frame& frame) {
+  const Range page = frame.x.axis.scale.page;
+  return {page.low - room, page.high + room};
+}
+
+std::string define_clip(Svg& svg, const Frame& frame, Range x) {
+  const Range y = frame.y.axis.scale.page;
   const std::string id =
       fmt::format("clip-{}-{}-{}", number(x.low), number(y.high), number(x.width()));
   if (!svg.is_new(id)) return id;
   const auto scope = svg.open("clipPath", {{"id", id}});
-  svg.element("rect", {{"x", x.low - room},
+  svg.element("rect", {{"x", x.low},
                        {"y", y.high - room},
-                       {"width", x.width() + 2 * room},
+                       {"width", x.width()},
                        {"height", y.low - y.high + 2 * room}});
   return id;
 }
@@ -58,11 +66,23 @@ void draw_line(Svg& svg, const Series& series, const Frame& frame) {
   if (series.connection == Connection::none) return;
   const std::string data = path_data(series, frame);
   if (data.empty()) return;
-  svg.path(data, {{"stroke", series.look.stroke.colour},
-                  {"stroke-width", series.width},
-                  {"stroke-dasharray", series.look.stroke.dashes},
-                  {"stroke-linejoin", "round"},
-                  {"fill", "none"}});
+  const auto draw = [&](std::string_view dashes) {
+    svg.path(data, {{"stroke", series.look.stroke.colour},
+                    {"stroke-width", series.width},
+                    {"stroke-dasharray", dashes},
+                    {"stroke-linejoin", "round"},
+                    {"fill", "none"}});
+  };
+  const Range page = across(frame);
+  if (!frame.x.shows(series.measured_to)) return draw(series.look.stroke.dashes);
+  const double end = std::clamp(frame.x(series.measured_to), page.low, page.high);
+  const auto within = [&](Range part, std::string_view dashes) {
+    const std::string clip = define_clip(svg, frame, part);
+    const auto scope = svg.open("g", {{"clip-path", fmt::format("url(#{})", clip)}});
+    draw(dashes);
+  };
+  within({page.low, end}, series.look.stroke.dashes);
+  within({end, page.high}, extrapolated_dashes);
 }
 
 // Ends that the axis cannot show run off its edge.
@@ -97,8 +117,10 @@ void draw_series(Svg& svg, const Series& series, const Frame& frame) {
   draw_intervals(svg, series, frame);
   if (series.marks == Marks::none) return;
   for (const Point& point : series.points)
-    if (frame.x.shows(point.x) && frame.y.shows(point.y))
-      draw_marker(svg, {frame.x(point.x), frame.y(point.y)}, series.look);
+    if (frame.x.shows(point.x) && frame.y.shows(point.y)) {
+      const auto draw = point.x > series.measured_to ? draw_open_marker : draw_marker;
+      draw(svg, {frame.x(point.x), frame.y(point.y)}, series.look);
+    }
 }
 
 void draw_grid(Svg& svg, const Frame& frame) {
@@ -156,7 +178,7 @@ void draw_panel(Svg& svg, const ChartPanel& panel, const Frame& frame) {
              {.size = style::label_size, .anchor = "middle"});
     return;
   }
-  const std::string clip = define_clip(svg, frame);
+  const std::string clip = define_clip(svg, frame, across(frame));
   const auto scope = svg.open("g", {{"clip-path", fmt::format("url(#{})", clip)}});
   if (panel.band) draw_band(svg, frame, *panel.band);
   for (const Guide& guide : panel.guides) draw_level(svg, frame, guide);

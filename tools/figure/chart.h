@@ -3,6 +3,7 @@
 // and break the line.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ struct Series {
   Connection connection = Connection::line;
   Marks marks = Marks::each_point;
   double width = 1.1;  // of the line
+  // What lies beyond this x is extrapolated: dotted, with open marks.
+  double measured_to = INFINITY;
 };
 
 // A line across at a value, with a few words at its end.

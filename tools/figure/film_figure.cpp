@@ -61,9 +61,13 @@ Content prepare(const std::vector<LabelledFilm>& films, const FilmFigureOptions&
 // The error is that of the whole film, relative to the film.
 std::string summary(const LabelledFilm& film) {
   const Rendering& run = film.rendering;
-  std::string text = fmt::format("{}: {} samples, {}, error {}", film.label,
-                                 count_in_words(static_cast<double>(run.samples)),
-                                 duration_in_words(run.seconds), percent(relative_error(run.film)));
+  const std::string work =
+      run.samples > 0
+          ? fmt::format("{} samples, {}, ", count_in_words(static_cast<double>(run.samples)),
+                        duration_in_words(run.seconds))
+          : "";  // as of an exact film
+  std::string text =
+      fmt::format("{}: {}error {}", film.label, work, percent(relative_error(run.film)));
   return run.complete ? text : text + ", interrupted";
 }
 

@@ -34,4 +34,12 @@ void draw_marker(Svg& svg, Vector at, const Look& look) {
             {"stroke-width", shape.filled ? 0.4 : 1.1}});
 }
 
+void draw_open_marker(Svg& svg, Vector at, const Look& look) {
+  svg.path("M" + coordinates(at) + std::string(shapes[look.marker % shapes.size()].data),
+           {{"class", "open marker"},
+            {"fill", style::paper},
+            {"stroke", look.stroke.colour},
+            {"stroke-width", 1.1}});
+}
+
 }  // namespace wander::figure

@@ -18,5 +18,7 @@ Look look_of(std::size_t k);
 
 // Shapes begin again after the last.
 void draw_marker(Svg& svg, Vector at, const Look& look);
+// Its outline alone.
+void draw_open_marker(Svg& svg, Vector at, const Look& look);
 
 }  // namespace wander::figure

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/compare/curves.h"
 #include "tools/report/chart_pages.h"
 #include "tools/report/numbers.h"
 #include "tools/wording.h"
@@ -38,6 +39,28 @@ figure::Series curve(const Comparison& comparison, std::size_t contender, Measur
                                range_of(cell.relative_rmse.interval, 100)});
   std::ranges::sort(series.points, {}, &figure::Point::x);
   return series;
+}
+
+// On to the target, where the time to it is extrapolated.
+void extrapolate(figure::Series& series, const Comparison& comparison, std::size_t contender) {
+  const compare::Curve& curve = comparison.curves[contender];
+  if (!is_extrapolated(comparison, curve)) return;
+  series.measured_to = longest_run(comparison, contender);
+  series.points.push_back({curve.seconds_to_target.value, 100 * comparison.target,
+                           range_of(curve.seconds_to_target.interval), std::nullopt});
+}
+
+// Where what was measured ends.
+figure::Guide end_of(double longest) {
+  return {longest,
+          fmt::format("longest run, {}; beyond it extrapolated", duration_in_words(longest))};
+}
+
+double longest_of_all(const Comparison& comparison) {
+  double longest = 0;
+  for (std::size_t k = 0; k < comparison.runs.contenders.size(); ++k)
+    longest = std::fmax(longest, longest_run(comparison, k));
+  return longest;
 }
 
 figure::Chart error_chart(const Comparison& comparison, const figure::Quantity& quantity,
@@ -81,10 +104,19 @@ std::vector<Crossing> marked_crossings(const Comparison& comparison) {
   return marked;
 }
 
+bool has_extrapolated(const Comparison& comparison) {
+  return std::ranges::any_of(comparison.curves, [&](const compare::Curve& curve) {
+    return is_extrapolated(comparison, curve);
+  });
+}
+
 std::string error_time_figure(const Comparison& comparison, const std::string& title) {
   figure::Chart chart = error_chart(comparison, quantity_of(comparison.runs.time), &Cell::seconds);
   for (const Crossing& crossing : marked_crossings(comparison))
     chart.guides.push_back({crossing.seconds.value, label_of(comparison, crossing)});
+  for (std::size_t k = 0; k < comparison.curves.size(); ++k)
+    extrapolate(chart.panels.front().series[k], comparison, k);
+  if (has_extrapolated(comparison)) chart.guides.push_back(end_of(longest_of_all(comparison)));
   return chart_document(std::move(chart), title, spoken(comparison));
 }
 
@@ -94,32 +126,40 @@ std::string error_samples_figure(const Comparison& comparison) {
 }
 
 std::string profile_figure(const Comparison& comparison) {
-  figure::ChartPanel panel{.empty_note = "no replicate comes to the target"};
-  double longest = 0, shortest = INFINITY;
+  figure::ChartPanel panel{
+      .empty_note = fmt::format(
+          "no replicate comes to the target, even in {} times its longest run", compare::farthest)};
+  const double measured = longest_of_all(comparison);
+  double longest = measured, shortest = INFINITY;
   for (const compare::Profile& profile : comparison.profiles)
     for (const double seconds : profile.seconds)
       if (std::isfinite(seconds) && seconds > 0) {
         longest = std::max(longest, seconds);
         shortest = std::min(shortest, seconds);
       }
+  const double first = std::min(shortest, measured);
   const figure::Range range =
-      longest > 0 ? figure::Range{shortest / 3, longest * 3} : figure::Range{0.1, 10};
+      longest > 0 ? figure::Range{first / 3, longest * 3} : figure::Range{0.1, 10};
   for (const compare::Profile& profile : comparison.profiles) {
     figure::Series series{.label = comparison.runs.contenders[profile.contender].label,
                           .look = figure::look_of(profile.contender),
-                          .connection = figure::Connection::distribution};
+                          .connection = figure::Connection::distribution,
+                          .measured_to = longest_run(comparison, profile.contender)};
     for (std::size_t k = 0; k < profile.seconds.size(); ++k)
       if (std::isfinite(profile.seconds[k]))
         series.points.push_back(
             {.x = std::max(profile.seconds[k], range.low), .y = 100 * profile.share[k]});
     panel.series.push_back(std::move(series));
   }
+  std::vector<figure::Guide> guides;
+  if (measured > 0) guides.push_back(end_of(measured));
   return chart_document(
       {.x = {.quantity = quantity_of(comparison.runs.time),
              .spacing = figure::Spacing::logarithmic,
              .range = range},
        .y = {.quantity = {"replicates at the target", "%"}, .range = figure::Range{0, 104}},
        .panels = {std::move(panel)},
+       .guides = std::move(guides),
        .panel_height = 120},
       "Time to the target error",
       "For each contender the share of replicates that need no more than a time.");

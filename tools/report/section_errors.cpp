@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/compare/curves.h"
+#include "tools/compare/verdict.h"
 #include "tools/report/embedding.h"
 #include "tools/report/error_figure.h"
 #include "tools/report/numbers.h"
@@ -27,6 +29,10 @@ void write_curves(Html& html, const Subject& subject) {
       subject.runs().time == TimeKind::wall ? "wall" : "processor");
   if (!marked.empty())
     caption += " Dashed lines stand where one contender overtakes another for good.";
+  if (has_extrapolated(subject.comparison))
+    caption +=
+        " Dotted lines lead beyond the longest run to open marks: the extrapolated times to the "
+        "target error, with their intervals.";
   write_figure(html, error_time_figure(subject.comparison, "Error against time"), caption);
   write_figure(html, error_samples_figure(subject.comparison),
                "The same errors against the number of samples, which does not depend on the "
@@ -55,13 +61,13 @@ void write_slopes(Html& html, const Subject& subject) {
   if (subject.runs().budgets.size() < 2)
     html.element("p", "One budget has no slope: two or more show how the error falls.",
                  {{"class", "note"}});
-  std::vector<std::string> names, words;
-  std::vector<Measured> time, samples, target;
+  std::vector<std::string> names, words, target;
+  std::vector<Measured> time, samples;
   for (const Curve& curve : curves) {
     names.push_back(subject.label(curve.contender));
     time.push_back(curve.slope_time);
     samples.push_back(curve.slope_samples);
-    target.push_back(curve.seconds_to_target);
+    target.push_back(compare::time_to_target(subject.comparison, curve.contender));
     words.push_back(reading(curve));
   }
   Table table = named_rows("Slopes of log error over log cost; independent samples have −1/2.",
@@ -69,33 +75,25 @@ void write_slopes(Html& html, const Subject& subject) {
   table.add_measured("against time", time);
   table.add_measured("against samples", samples);
   if (subject.comparison.target > 0)
-    table.add_measured(fmt::format("time to {}, s", percent(subject.comparison.target)), target);
+    table.add_column({fmt::format("time to {}", percent(subject.comparison.target)), Kind::words},
+                     target);
   table.add_column({"the slope against time", Kind::words}, words);
   write_table(html, table);
 }
 
 std::string in_words(const Subject& subject, const Crossing& crossing) {
-  const std::string &ahead = subject.label(crossing.ahead),
-                    &behind = subject.label(crossing.behind);
   const std::string chance = std::isfinite(crossing.p_value)
-                                 ? fmt::format(" (p = {:.2g})", crossing.p_value)
+                                 ? fmt::format(", p = {:.2g}", crossing.p_value)
                                  : std::string();
-  if (!crossing.significant)
-    return fmt::format("{} and {}: not significant{}.", ahead, behind, chance);
-  std::string text = fmt::format("{} is ahead of {}", ahead, behind);
-  if (crossing.seconds.value > 0) {
-    text += fmt::format(" from {} on", duration_in_words(crossing.seconds.value));
-    if (const std::string interval = rounded(crossing.seconds.interval); !interval.empty())
-      text += fmt::format(", 95 %: {} s", interval);
-  } else if (crossing.seconds.value == 0) {
-    text += " from the first budget on";
-  }
-  text += chance;
+  std::string text = compare::standing(subject.comparison, crossing) + chance;
+  if (!crossing.significant) return text + ".";
   if (std::isfinite(crossing.speedup.value))
-    text += fmt::format("; its mean square error is {} times as small",
-                        with_interval(crossing.speedup));
+    text += fmt::format("; the mean square error of {} is {} times as large",
+                        subject.label(crossing.behind),
+                        compare::number_with_interval(crossing.speedup));
   if (std::isfinite(crossing.efficiency.value))
-    text += fmt::format(", {} times at equal time", with_interval(crossing.efficiency));
+    text +=
+        fmt::format(", {} times at equal time", compare::number_with_interval(crossing.efficiency));
   return text + ".";
 }
 
@@ -118,10 +116,11 @@ void write_profile(Html& html, const Subject& subject) {
   write_figure(
       html, profile_figure(subject.comparison),
       fmt::format("The share of replicates whose error has come down to {} within a time: "
-                  "farther left is faster, and a steep rise means that seeds agree. A curve "
-                  "that stays below 100 % belongs to a contender of which some runs do not "
-                  "come there.",
-                  percent(target)));
+                  "farther left is faster, and a steep rise means that seeds agree. Dotted, with "
+                  "open marks, is what is extrapolated beyond the longest run of a contender, up "
+                  "to {} times that run. A curve that stays below 100 % belongs to a contender of "
+                  "which some replicates do not come there.",
+                  percent(target), compare::farthest));
 }
 
 struct CellColumn {

@@ -5,6 +5,7 @@
 
 #include "core/output/film_statistics.h"
 #include "tools/figure/film_figure.h"
+#include "tools/reference_name.h"
 #include "tools/report/embedding.h"
 #include "tools/report/numbers.h"
 #include "tools/report/sections.h"
@@ -28,7 +29,7 @@ std::optional<figure::LabelledFilm> reference_of(const Subject& subject) {
   if (reference.film.value.empty()) return std::nullopt;
   Rendering rendering;
   rendering.film = reference.film;
-  return figure::LabelledFilm{reference.origin, rendering};
+  return figure::LabelledFilm{name_of_reference(reference.origin), rendering};
 }
 
 void write_panels(Html& html, const Subject& subject,

@@ -5,6 +5,7 @@
 
 #include "tools/figure/film_series.h"
 #include "tools/figure/share_bars.h"
+#include "tools/reference_name.h"
 #include "tools/report/bins.h"
 #include "tools/report/chart_pages.h"
 #include "tools/report/numbers.h"
@@ -30,11 +31,12 @@ figure::ChartPanel seeds_panel(const Subject& subject, std::size_t contender, st
                             .marks = figure::Marks::none,
                             .width = thin});
   if (const FilmEstimate& reference = subject.runs().reference.film; !reference.value.empty())
-    panel.series.push_back({.label = "reference",
-                            .points = steps_over_film(subject, reference.value, steps),
-                            .look = {.stroke = {figure::style::ink, "none"}},
-                            .marks = figure::Marks::none,
-                            .width = 0.8});
+    panel.series.push_back(
+        {.label = is_exact(subject.runs().reference.origin) ? "reference: exact" : "reference",
+         .points = steps_over_film(subject, reference.value, steps),
+         .look = {.stroke = {figure::style::ink, "none"}},
+         .marks = figure::Marks::none,
+         .width = 0.8});
   return panel;
 }
 

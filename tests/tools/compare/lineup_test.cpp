@@ -18,12 +18,13 @@ std::vector<std::string> labels(const std::vector<Entrant>& entrants) {
 }
 
 std::vector<Entrant> line_up(std::string_view methods, const std::vector<std::string>& fixed,
-                             const std::vector<std::string>& sweeps) {
+                             const std::vector<std::string>& sweeps,
+                             std::optional<int> max_vertices = std::nullopt) {
   std::vector<Setting> settings;
   std::vector<Sweep> parsed;
   for (const std::string& text : fixed) settings.push_back(parse_setting(text));
   for (const std::string& text : sweeps) parsed.push_back(parse_sweep(text));
-  return line_up(parse_methods(methods), settings, parsed);
+  return line_up(parse_methods(methods), settings, parsed, max_vertices);
 }
 
 using Words = std::vector<std::string>;
@@ -38,11 +39,38 @@ TEST(LineUp, WithoutSweepsIsTheMethods) {
 TEST(LineUp, ASweepAddsItsValuesToTheMethodsThatHaveTheDial) {
   const auto entrants = line_up("bdpt,pssmlt", {}, {"estimator=kelemen,expected"});
   EXPECT_EQ(labels(entrants),
-            (Words{"bdpt", "pssmlt", "pssmlt estimator=kelemen", "pssmlt estimator=expected"}));
-  EXPECT_EQ(entrants[3].contender.dial, "estimator");
-  EXPECT_EQ(entrants[3].contender.setting, "expected");
-  EXPECT_EQ(entrants[3].dials.estimator, StepEstimator::expected);
+            (Words{"bdpt", "pssmlt estimator=kelemen (default)", "pssmlt estimator=expected"}));
+  EXPECT_EQ(entrants[2].contender.dial, "estimator");
+  EXPECT_EQ(entrants[2].contender.setting, "expected");
+  EXPECT_EQ(entrants[2].dials.estimator, StepEstimator::expected);
   EXPECT_EQ(entrants[1].dials.estimator, StepEstimator::usual);
+}
+
+// Made twice, the base point would cost its runs again and be ahead of itself by chance.
+TEST(LineUp, ASettingThatIsTheBasePointIsMadeOnceAndRecognised) {
+  EXPECT_EQ(labels(line_up("mlt", {}, {"large_step=0.1,0.3"})),
+            (Words{"mlt large_step=0.3 (default)", "mlt large_step=0.1"}));
+  EXPECT_EQ(
+      labels(line_up("mlt", {}, {"large_step=0.05,0.30", "kernel=1,2"})),
+      (Words{"mlt large_step=0.30 kernel=1 (default)", "mlt large_step=0.05", "mlt kernel=2"}));
+  EXPECT_EQ(labels(line_up("mlt", {"kernel=2"}, {"kernel=1,2"})),
+            (Words{"mlt kernel=2 (base)", "mlt kernel=1"}));
+  EXPECT_EQ(labels(line_up("pssmlt,mmlt", {}, {"estimator=expected"})),
+            (Words{"pssmlt", "pssmlt estimator=expected", "mmlt estimator=expected (default)"}));
+  EXPECT_EQ(
+      labels(line_up("mlt", {"mutations=lens=1,primary=2"}, {"mutations=primary=4,lens=2;auto"})),
+      (Words{"mlt mutations=primary=4,lens=2 (base)", "mlt mutations=auto"}));
+  EXPECT_EQ(labels(line_up("mlt", {}, {"mutations=auto;"})),
+            (Words{"mlt mutations=auto (default)"}));
+  const auto entrants = line_up("mlt", {}, {"large_step=0.1,0.3"});
+  EXPECT_EQ(entrants[0].contender.dial, "");
+}
+
+TEST(LineUp, TheLengthThatTheSceneSaysIsTheUsual) {
+  EXPECT_EQ(labels(line_up("pt", {}, {"max_vertices=5,8"}, 8)),
+            (Words{"pt max_vertices=8 (default)", "pt max_vertices=5"}));
+  EXPECT_EQ(labels(line_up("pt", {}, {"max_vertices=5,8"})),
+            (Words{"pt", "pt max_vertices=5", "pt max_vertices=8"}));
 }
 
 TEST(LineUp, SweepsAreMadeOneAfterTheOtherFromTheBasePoint) {
@@ -103,6 +131,8 @@ TEST(LineUp, RefusesADialThatNoMethodHas) {
 TEST(LineUp, RefusesTheSameContenderTwice) {
   EXPECT_NE(usage_error([] { line_up("bdpt,bdpt", {}, {}); }).find("twice"), std::string::npos);
   EXPECT_NE(usage_error([] { line_up("bdpt", {}, {"max_vertices=3,3"}); }), "");
+  EXPECT_NE(usage_error([] { line_up("mlt", {}, {"large_step=0.1,0.10"}); }), "");
+  EXPECT_NE(usage_error([] { line_up("mlt", {}, {"large_step=0.3,0.3"}); }), "");
 }
 
 TEST(Budgets, AreSortedAndAllOfOneKind) {

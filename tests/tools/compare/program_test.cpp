@@ -69,8 +69,10 @@ TEST_F(CompareCommand, SweepsAreContenders) {
       compared("box.json -m pt,mmlt -b 2k --replicates 2 --sweep estimator=kelemen,expected");
   std::vector<std::string> labels;
   for (const json& contender : document["contenders"]) labels.push_back(contender["label"]);
-  EXPECT_EQ(labels, (std::vector<std::string>{"pt", "mmlt", "mmlt estimator=kelemen",
-                                              "mmlt estimator=expected"}));
+  EXPECT_EQ(labels, (std::vector<std::string>{"pt", "mmlt estimator=expected (default)",
+                                              "mmlt estimator=kelemen"}));
+  const json lengths = compared("box.json -m pt -b 2k --replicates 2 --sweep max_vertices=4,6");
+  EXPECT_EQ(lengths["contenders"].size(), 2u);
 }
 
 TEST_F(CompareCommand, MistakesAreExitTwoAndLeaveNothing) {
