@@ -77,11 +77,12 @@ std::vector<Crossing> marked_crossings(const Comparison& comparison) {
   return marked;
 }
 
-std::string error_time_figure(const Comparison& comparison, const std::string& title) {
+std::string error_time_figure(const Comparison& comparison, const std::string& title,
+                              double width) {
   figure::Chart chart = error_chart(comparison, {"time", "s"}, &Cell::seconds);
   for (const Crossing& crossing : marked_crossings(comparison))
     chart.guides.push_back({crossing.seconds.value, label_of(comparison, crossing)});
-  return chart_document(std::move(chart), title, spoken(comparison));
+  return chart_document(std::move(chart), title, spoken(comparison), width);
 }
 
 std::string error_samples_figure(const Comparison& comparison) {
