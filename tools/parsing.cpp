@@ -234,6 +234,29 @@ std::pair<std::uint64_t, std::uint64_t> parse_pair(std::string_view what, std::s
   return {parse_count(what, parts[0], 0, most), parse_count(what, parts[1], 0, most)};
 }
 
+double parse_figure_width(std::string_view text) {
+  constexpr double inch = 72, millimetre = inch / 25.4;
+  constexpr std::array<Unit, 5> units{
+      {{"mm", millimetre}, {"cm", 10 * millimetre}, {"in", inch}, {"pt", 1}, {"px", inch / 96}}};
+  // Narrower figures have no room for their words.
+  constexpr double least = 60 * millimetre, most = 1000 * millimetre, rounding = 1e-9;
+  const auto width = quantity_in(text, units);
+  if (!width || *width < least * (1 - rounding) || *width > most * (1 + rounding))
+    throw UsageError(
+        fmt::format("--width '{}': allowed is a length from 60mm to 1000mm, in mm, cm, in, pt or "
+                    "px, such as 84mm",
+                    text));
+  return *width;
+}
+
+double parse_resolution(std::string_view what, std::string_view text) {
+  const auto dpi = number_in<double>(text);
+  if (!dpi || !(*dpi >= 36 && *dpi <= 1200))
+    throw UsageError(fmt::format(
+        "{} '{}': allowed are numbers from 36 to 1200, in pixels to the inch", what, text));
+  return *dpi;
+}
+
 ProgressMode parse_progress(std::string_view text) {
   constexpr std::array<std::string_view, 4> words{"auto", "bar", "json", "none"};
   constexpr std::array modes{ProgressMode::automatic, ProgressMode::bar, ProgressMode::json,

@@ -55,6 +55,10 @@ std::uint64_t parse_count(std::string_view what, std::string_view text, std::uin
 double parse_share(std::string_view what, std::string_view text);
 // `A:B`, two whole numbers from 0 to 2^53.
 std::pair<std::uint64_t, std::uint64_t> parse_pair(std::string_view what, std::string_view text);
+// `84mm`, `8.4cm`, `3.3in`, `238pt` or `320px` (96 to the inch), from 60 mm to 1 m: in points.
+double parse_figure_width(std::string_view text);
+// Pixels to the inch, from 36 to 1200.
+double parse_resolution(std::string_view what, std::string_view text);
 ProgressMode parse_progress(std::string_view text);
 
 // The arguments as one line that a shell reads back to the same words.

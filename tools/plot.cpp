@@ -12,6 +12,8 @@
 #include "tools/console.h"
 #include "tools/failure.h"
 #include "tools/figure/scene_figure.h"
+#include "tools/figure/style.h"
+#include "tools/figure_file.h"
 #include "tools/nearest.h"
 #include "tools/output_place.h"
 #include "tools/parsing.h"
@@ -41,7 +43,9 @@ std::string scene_svg(const PlotOptions& options) {
   if (!options.reference.empty())
     throw UsageError("--reference is drawn into films, and " + shown_name(file) + " is a scene");
   if (scene.dimension != 2) throw UsageError(file + ": plot draws two-dimensional scenes");
-  return figure::scene_figure(scene, {.title = options.title.value_or(scene.name)});
+  return figure::scene_figure(scene,
+                              {.title = options.title.value_or(scene.name),
+                               .width = options.width.value_or(figure::style::column_width)});
 }
 
 // Its films are drawn by report.html, beside which it lies.
@@ -50,7 +54,14 @@ std::string comparison_svg(const compare::Comparison& comparison, const PlotOpti
     throw UsageError(options.files.front() +
                      " is a comparison; comparisons are drawn one at a time, and without "
                      "--reference");
-  return report::error_time_figure(comparison, options.title.value_or("Error against time"));
+  return report::error_time_figure(comparison, options.title.value_or("Error against time"),
+                                   options.width.value_or(figure::style::page_width));
+}
+
+void require_linear(const PlotOptions& options, const char* what) {
+  if (options.values == figure::Spacing::logarithmic)
+    throw UsageError(
+        fmt::format("--log-y is for films, and {} is {}", options.files.front(), what));
 }
 
 // Which kind of file the first one is decides; a scene is what is nothing else.
@@ -58,8 +69,10 @@ Figure figure_of(const PlotOptions& options) {
   const std::string& file = options.files.front();
   const bool is_file = !is_scene(file) && std::filesystem::is_regular_file(file);
   if (is_file)
-    if (const auto record = find_trajectory(file))
+    if (const auto record = find_trajectory(file)) {
+      require_linear(options, "a trajectory");
       return {"trajectory", trajectory_svg(*record, options)};
+    }
   if (!options.trajectory.is_empty())
     throw UsageError(file +
                      " is no trajectory, which --figure, --draws, --chain, --mutation and --class "
@@ -68,15 +81,17 @@ Figure figure_of(const PlotOptions& options) {
     if (const auto comparison = compare::find_comparison(file))
       return {"comparison", comparison_svg(*comparison, options)};
   if (const std::optional<Film> film = find_film(file)) return {"film", film_svg(*film, options)};
+  require_linear(options, "a scene");
   return {"scene", scene_svg(options)};
 }
 
 void require_sensible(const PlotOptions& options, const Global& global) {
-  if (global.out.empty()) throw UsageError("plot needs -o FIGURE.svg");
+  if (global.out.empty()) throw UsageError("plot needs -o FIGURE.svg, .png or .pdf");
   const FluencePlotOptions& fluence = options.fluence;
   if (!fluence.wanted && (fluence.budget || fluence.resolution))
     throw UsageError("--budget and --resolution are for --fluence");
-  if (fluence.wanted && (!options.trajectory.is_empty() || !options.reference.empty()))
+  if (fluence.wanted && (!options.trajectory.is_empty() || !options.reference.empty() ||
+                         options.values == figure::Spacing::logarithmic))
     throw UsageError(
         "--fluence is of a scene alone: no option of films or trajectories goes "
         "with it");
@@ -87,13 +102,15 @@ void examine(PlotOptions& options, const Global& global, Figure& figure, Examina
   const bool words_are_known = examination.is_passed();
   examination.part([&] { require_sensible(options, global); });
   examination.part([&] { require_replaceable(global.out, global); });
+  if (!global.out.empty() && !options.fluence.wanted)
+    examination.part([&] { figure_file(global.out, options.dpi); });
   if (words_are_known && !options.fluence.wanted)
     examination.part([&] { figure = figure_of(options); });
 }
 
 ExitCode plot(const PlotOptions& options, const Global& global, const Figure& figure) {
   if (options.fluence.wanted) return plot_fluence(options, global);
-  write_output(global.out, figure.svg);
+  write_figure(figure_file(global.out, options.dpi), figure.svg);
   if (global.json)
     print_json({{"schema", "wanderlight-plot/1"},
                 {"kind", figure.kind},
@@ -140,9 +157,26 @@ void add_film_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& option
       ->type_name("RUN");
   verb.add_option_function<std::string>(
           "--layout", [options](const std::string& text) { options->layout = parse_layout(text); },
-          "how several films share the figure: overlay, panels, or auto (the default: up to two "
-          "films are overlaid)")
+          "how several films share the figure: overlay, panels, or auto (the default: two films "
+          "are overlaid where both can be followed, all others have panels)")
       ->type_name("HOW");
+  verb.add_flag_callback(
+      "--log-y", [options] { options->values = figure::Spacing::logarithmic; },
+      "of films: a logarithmic axis of values (that of errors always is)");
+}
+
+void add_page_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& options) {
+  verb.add_option_function<std::string>(
+          "--width",
+          [options](const std::string& text) { options->width = parse_figure_width(text); },
+          "how wide the figure is on the page, in mm, cm, in, pt or px, such as 84mm for a column; "
+          "it is laid out for that width, and its words keep their size")
+      ->type_name("LENGTH");
+  verb.add_option_function<std::string>(
+          "--dpi",
+          [options](const std::string& text) { options->dpi = parse_resolution("--dpi", text); },
+          "of FILE.png: pixels to the inch (default: 300)")
+      ->type_name("N");
 }
 
 void add_trajectory_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& options) {
@@ -175,7 +209,7 @@ void add_trajectory_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& 
 
 void add_fluence_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& options) {
   verb.add_flag("--fluence", options->fluence.wanted,
-                "of a scene: the light in the space between the surfaces, as FILE.svg or FILE.exr");
+                "of a scene: the light in the space between the surfaces, as a figure or FILE.exr");
   verb.add_option_function<std::string>(
           "-b,--budget",
           [options](const std::string& text) { options->fluence.budget = parse_budget(text); },
@@ -199,10 +233,12 @@ time, with the times from which on one contender is ahead of another.  Of a traj
 steps are drawn one by one: the current path black, accepted proposals solid, rejected ones dashed.
 The fluence is the integral of radiance over all directions, in W/m; the image has it as channel Y,
 with standard_error.Y.
+The ending says what the figure is: .svg, .png (300 dpi) or .pdf.
 
 Examples:
   wander plot scene.json -o scene.svg
   wander plot run_mlt run_bdpt --reference long_run -o films.svg
+  wander plot run_mlt run_bdpt --width 84mm -o films.pdf
   wander plot comparison -o error.svg
   wander plot trace.nc --figure paths --chain 2 --draws 100:112 -o paths.svg
   wander plot scene.json --fluence -b 2M -o light.svg
@@ -221,6 +257,7 @@ void add_plot(CLI::App& app, Global& global) {
       ->required();
   verb->add_option("--title", options->title, "instead of the name of the scene")
       ->type_name("TEXT");
+  add_page_options(*verb, options);
   add_film_options(*verb, options);
   add_trajectory_options(*verb, options);
   add_fluence_options(*verb, options);

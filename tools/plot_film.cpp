@@ -81,7 +81,9 @@ std::string film_svg(const Film& first, const PlotOptions& options) {
                                 .axes = first.axes(),
                                 .inset = first.scene,
                                 .reference = std::nullopt,
-                                .layout = options.layout};
+                                .layout = options.layout,
+                                .width = options.width,
+                                .values = options.values};
   std::vector<figure::LabelledFilm> labelled;
   for (const Film& film : films) {
     require_same_axes(film, first);

@@ -10,6 +10,7 @@
 #include "tools/failure.h"
 #include "tools/figure/fluence_figure.h"
 #include "tools/figure/plane_picture.h"
+#include "tools/figure_file.h"
 #include "tools/interruption.h"
 #include "tools/output_place.h"
 #include "tools/progress.h"
@@ -23,15 +24,16 @@ namespace {
 constexpr int default_resolution = 256;
 constexpr int most_cells = 1 << 22;
 
-enum class Form { svg, exr };
-
-Form form_of(const std::filesystem::path& out) {
-  if (out.extension() == ".svg" || is_standard_output(out)) return Form::svg;
-  if (out.extension() == ".exr") return Form::exr;
-  throw UsageError(
-      fmt::format("{}: the picture of fluence is a figure, FILE.svg, or an image, "
-                  "FILE.exr",
-                  out.string()));
+// None: an image.
+std::optional<FigureFile> figure_for(const PlotOptions& options, const Global& global) {
+  if (global.out.extension() != ".exr")
+    return figure_file(global.out, options.dpi, ", or in .exr for an image of numbers");
+  if (options.width || options.dpi)
+    throw UsageError(
+        fmt::format("--width and --dpi are for figures; {} has as many pixels as "
+                    "--resolution says",
+                    global.out.string()));
+  return std::nullopt;
 }
 
 SceneDocument scene_for(const PlotOptions& options) {
@@ -72,14 +74,16 @@ std::string image(const SceneDocument& document, const Rendering& picture, const
 }  // namespace
 
 ExitCode plot_fluence(const PlotOptions& options, const Global& global) {
-  const Form form = form_of(global.out);
+  const std::optional<FigureFile> figure = figure_for(options, global);
   const SceneDocument document = scene_for(options);
   const PlaneGrid grid = grid_for(document.scene, options);
   const Rendering picture = picture_of(document.scene, grid, options, global);
-  write_output(global.out, form == Form::exr ? image(document, picture, global)
-                                             : figure::fluence_figure(
-                                                   document.scene, grid, picture,
-                                                   options.title.value_or(document.scene.name)));
+  if (figure)
+    write_figure(*figure, figure::fluence_figure(document.scene, grid, picture,
+                                                 options.title.value_or(document.scene.name),
+                                                 options.width.value_or(figure::fluence_width)));
+  else
+    write_file(global.out, image(document, picture, global));
   if (!global.quiet)
     print_note(
         fmt::format("fluence: {} walks of light, {} x {} cells from ({:.6g}, {:.6g}) to "

@@ -7,7 +7,7 @@
 
 namespace wander {
 
-// The output is SVG, or EXR where its name ends so.
+// The output is a figure, or EXR where its name ends so.
 ExitCode plot_fluence(const PlotOptions& options, const Global& global);
 
 }  // namespace wander

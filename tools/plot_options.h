@@ -41,7 +41,10 @@ struct PlotOptions {
   std::vector<std::string> files;
   std::string reference;
   std::optional<std::string> title;  // none: the name of the scene
+  std::optional<double> width;       // points; none: as wide as its kind of figure is
+  std::optional<double> dpi;         // of PNG
   figure::Layout layout = figure::Layout::automatic;
+  figure::Spacing values = figure::Spacing::linear;  // of the axis of films
   TrajectoryPlotOptions trajectory;
   FluencePlotOptions fluence;
 };

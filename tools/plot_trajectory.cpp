@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tools/failure.h"
+#include "tools/figure/style.h"
 #include "tools/figure/trajectory_figure.h"
 #include "tools/nearest.h"
 #include "tools/scene_source.h"
@@ -82,7 +83,8 @@ std::string trajectory_svg(const TrajectoryRecord& record, const PlotOptions& op
   const description::Scene scene =
       parse_scene(record.provenance.scene_text, options.files.front()).scene;
   const figure::TrajectoryPage page(record.trajectory, scene, filter_of(record.trajectory, options),
-                                    options.title.value_or(record.provenance.scene_name));
+                                    options.title.value_or(record.provenance.scene_name),
+                                    options.width.value_or(figure::style::page_width));
   return drawn(page, options.trajectory.figure.value_or(TrajectoryFigure::all));
 }
 

@@ -103,8 +103,8 @@ TEST(IntervalRows, AreWellFormedAndDrawWhatIsKnown) {
 }
 
 TEST(ShareBars, PartsAreAsWideAsTheirShares) {
-  const std::string svg = document(share_bars("", {{"a", "", {{"p", 0.25}, {"q", 0.75}}}},
-                                              {{.key = "p"}, {.key = "q", .hatch = 1}}, 400));
+  const std::string svg = document(
+      share_bars("", {{"a", "", {{"p", 0.25}, {"q", 0.75}}}}, {{.key = "p"}, {.key = "q"}}, 400));
   EXPECT_TRUE(is_well_formed(svg));
   EXPECT_EQ(count(svg, "width=\"100\""), 1u);
   EXPECT_EQ(count(svg, "width=\"300\""), 1u);

@@ -1,8 +1,11 @@
 // Figures of films: intervals, marks of what is not to be trusted, layouts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <regex>
 
+#include "core/rng.h"
 #include "tests/tools/figure_checks.h"
 #include "tools/figure/film_figure.h"
 
@@ -98,7 +101,14 @@ TEST(FilmFigure, MillionsOfBinsMakeASmallFigureThatSaysWhatAStepIs) {
   EXPECT_EQ(bars.back().position.high, 1);
   const std::string svg = film_figure({fine}, options());
   EXPECT_LT(svg.size(), 100000u);
-  EXPECT_NE(svg.find("each step averages 2000 bins"), std::string::npos);
+  const std::smatch found = [&] {
+    std::smatch match;
+    std::regex_search(svg, match, std::regex("each step averages ([0-9]+) bins"));
+    return match;
+  }();
+  ASSERT_FALSE(found.empty());
+  // Steps are as wide as the eye can tell apart, on a panel of about 190 points.
+  EXPECT_NEAR(1200000 / std::stod(found[1]), 190 / 0.8, 15);
 }
 
 TEST(FilmFigure, SurvivesFilmsOfZerosOfNothingKnownAndOfAnySize) {
@@ -115,12 +125,80 @@ TEST(FilmFigure, SurvivesFilmsOfZerosOfNothingKnownAndOfAnySize) {
   EXPECT_TRUE(is_well_formed(film_figure({nothing}, options())));
 }
 
+std::size_t panels(const std::vector<LabelledFilm>& films, const FilmFigureOptions& how) {
+  return count(film_figure(films, how), "<clipPath");
+}
+
+// As if estimated anew: independent noise about one smooth film.
+LabelledFilm noisy(std::size_t bins, double noise, std::uint64_t seed) {
+  LabelledFilm result = film(bins);
+  Rng rng(seed, Purpose::test, 0);
+  for (std::size_t k = 0; k < bins; ++k) {
+    const double x = static_cast<double>(k) / static_cast<double>(bins);
+    result.rendering.film.value[k] = 1 + 0.5 * std::sin(4 * x) + noise * (rng.uniform() - 0.5);
+  }
+  return result;
+}
+
 TEST(FilmFigure, AutomaticLayoutOverlaysTwoFilmsAndSeparatesMore) {
-  const auto panels = [](const std::vector<LabelledFilm>& films) {
-    return count(film_figure(films, options()), "<clipPath");
-  };
-  EXPECT_EQ(panels({film(20), film(20)}), 1u);
-  EXPECT_EQ(panels({film(20), film(20), film(20)}), 3u);
+  EXPECT_EQ(panels({film(20), film(20)}, options()), 1u);
+  EXPECT_EQ(panels({film(20), film(20), film(20)}, options()), 3u);
+}
+
+TEST(FilmFigure, AutomaticLayoutSeparatesTwoFilmsThatCannotBeFollowed) {
+  for (const std::size_t bins : {16, 32, 256, 1000}) {
+    const bool many = bins >= 256;
+    EXPECT_EQ(panels({noisy(bins, 0.3, 1), noisy(bins, 0.3, 2)}, options()), many ? 2u : 1u)
+        << bins;
+    EXPECT_EQ(panels({noisy(bins, 0, 1), noisy(bins, 0, 2)}, options()), 1u) << bins;
+  }
+  // However noisy, films that lie apart can be told apart.
+  LabelledFilm above = noisy(256, 0.3, 2);
+  for (double& value : above.rendering.film.value) value += 2;
+  EXPECT_EQ(panels({noisy(256, 0.3, 1), above}, options()), 1u);
+}
+
+TEST(FilmFigure, AnyLayoutCanBeForced) {
+  FilmFigureOptions how = options();
+  how.layout = Layout::overlay;
+  EXPECT_EQ(panels({noisy(1000, 0.3, 1), noisy(1000, 0.3, 2), film(20)}, how), 1u);
+  how.layout = Layout::panels;
+  EXPECT_EQ(panels({film(20), film(20)}, how), 2u);
+}
+
+TEST(FilmFigure, PanelsShareTheirAxesAndEachHasTheReference) {
+  FilmFigureOptions how = options();
+  how.reference = film(20);
+  const std::string svg =
+      film_figure({noisy(256, 0.3, 1), noisy(256, 0.3, 2), noisy(256, 0.3, 3)}, how);
+  EXPECT_EQ(count(svg, "stroke-width=\"0.6\" stroke-dasharray=\"none\""), 3u + 1u);  // the legend
+}
+
+TEST(FilmFigure, ALogarithmicAxisHoldsWhatIsAboveZero) {
+  LabelledFilm deep = film(20);
+  for (std::size_t k = 0; k < 20; ++k)
+    deep.rendering.film.value[k] = k == 0 ? 0 : std::pow(10, -static_cast<double>(k) / 4);
+  FilmFigureOptions how = options();
+  how.values = Spacing::logarithmic;
+  const std::string svg = film_figure({deep}, how);
+  EXPECT_TRUE(is_well_formed(svg));
+  for (const char* label : {">1<", ">0.1<", ">0.01<", ">0.001<", ">0.0001<"})
+    EXPECT_LE(count(svg, label), 1u) << label;
+  EXPECT_EQ(count(svg, ">beyond the axis, down to 0 W/m<"), 1u);
+  for (const double value : {0., -1., nan, 1e-300, 1e300})
+    EXPECT_TRUE(is_well_formed(film_figure({film(20, value)}, how))) << value;
+}
+
+TEST(FilmFigure, OnANarrowPageTheSceneStandsAboveTheFilms) {
+  FilmFigureOptions how = options();
+  how.inset = room();
+  how.width = 238;
+  LabelledFilm named = film(20);
+  named.label = "a name that takes so much room that it needs several lines of a narrow page";
+  const std::string svg = film_figure({named, named, named}, how);
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_EQ(count(svg, "width=\"238pt\""), 1u);
+  EXPECT_EQ(count(svg, "…"), 0u);  // nothing is cut
 }
 
 TEST(FilmFigure, SaysWhenARunWasInterrupted) {

@@ -85,7 +85,7 @@ TEST_F(PlotFluence, MakesAFigureAndAnImageOfTheSamePicture) {
 
 TEST_F(PlotFluence, RefusesWhatMakesNoSense) {
   for (const char* arguments :
-       {"plot box.json --fluence -o light.png", "plot box.json -b 2s -o light.svg",
+       {"plot box.json --fluence -o light.jpg", "plot box.json -b 2s -o light.svg",
         "plot box.json --resolution 9 -o light.svg",
         "plot box.json --fluence --resolution 60000 -o light.svg",
         "plot box.json --fluence --chain 1 -o light.svg", "plot box.json --draws 1:2 -o a.svg",

@@ -11,6 +11,7 @@
 #include "tools/figure/acceptance_chart.h"
 #include "tools/figure/autocorrelation.h"
 #include "tools/figure/path_density.h"
+#include "tools/report/embedding.h"
 
 namespace wander::figure {
 namespace {
@@ -58,6 +59,17 @@ std::vector<std::string> pages(const Trajectory& t, const StepFilter& filter = {
   const TrajectoryPage page(t, scene, filter, title);
   return {page.paths(),           page.trace(),   page.acceptance(),
           page.autocorrelation(), page.density(), page.overview()};
+}
+
+// Inkscape 1.2 knows xlink:href alone, newer readers prefer href.
+TEST(TrajectoryFigure, WhatIsUsedAgainIsReferredToInBothWays) {
+  const std::string svg = pages(recorded(1, 3)).front();
+  EXPECT_EQ(count(svg, "<use "), 3u);
+  EXPECT_EQ(count(svg, "<use href=\"#sequence-scene\" xlink:href=\"#sequence-scene\"/>"), 3u);
+  EXPECT_EQ(count(svg, "xmlns:xlink=\"http://www.w3.org/1999/xlink\""), 1u);
+  const std::string in_page = report::embedded(svg, "figure-7");
+  EXPECT_EQ(count(in_page, "href=\"#figure-7-sequence-scene\""), 6u);
+  EXPECT_EQ(count(in_page, "href=\"#sequence-scene\""), 0u);
 }
 
 TEST(TrajectoryFigure, IsWellFormedAndTheSameEveryTime) {

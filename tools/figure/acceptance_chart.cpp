@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tools/figure/meanings.h"
 #include "tools/figure/share_bars.h"
 #include "tools/wording.h"
 
@@ -33,23 +34,17 @@ std::vector<Tried> tried_in(const Steps& steps) {
   return all;
 }
 
-// Accepted first, then the reasons in the order of the trajectory, as far as they occur.
-std::vector<Part> parts_of(const Steps& steps, const std::vector<Tried>& all) {
-  std::vector<Part> parts{{.key = std::string(accepted_word)}};
-  std::size_t failures = 0;
-  for (const std::string& reason : steps.trajectory().reasons)
-    if (reason != "none")
-      parts.push_back({.key = reason, .hatch = reason == refused_word ? 0 : ++failures});
+// As far as they occur.
+std::vector<Part> parts_of(const std::vector<Tried>& all) {
+  std::map<std::string, double> counts;
   double total = 0;
-  for (const Tried& tried : all) total += tried.steps;
-  std::erase_if(parts, [&](Part& part) {
-    double count = 0;
-    for (const Tried& tried : all)
-      if (const auto found = tried.outcomes.find(part.key); found != tried.outcomes.end())
-        count += found->second;
-    part.legend = fmt::format("{}: {} of all", spoken_outcome(part.key), percent(count / total));
-    return count == 0;
-  });
+  for (const Tried& tried : all) {
+    total += tried.steps;
+    for (const auto& [outcome, steps] : tried.outcomes) counts[outcome] += steps;
+  }
+  std::vector<Part> parts = outcome_parts(counts);
+  for (Part& part : parts)
+    part.legend += fmt::format(": {} of all", percent(counts[part.key] / total));
   return parts;
 }
 
@@ -69,7 +64,7 @@ Block acceptance_chart(const Steps& steps, double width) {
   for (const Tried& tried : all) bars.push_back(bar_of(tried));
   return share_bars(fmt::format("What became of the proposals, {}{}", in_words(steps),
                                 all.empty() ? ": no step was chosen" : ""),
-                    std::move(bars), parts_of(steps, all), width);
+                    std::move(bars), parts_of(all), width);
 }
 
 }  // namespace wander::figure

@@ -18,6 +18,8 @@ namespace {
 constexpr double panel_height = 92, panel_gap = 16, header = 12;
 // For half of the last label of an axis.
 constexpr double right_room = 8;
+// Side by side where each has this much room, otherwise one below the other.
+constexpr double least_panel_width = 90;
 constexpr int most_lags = 200;
 constexpr double thin = 0.35, thick = 1.3;
 
@@ -148,20 +150,28 @@ Block autocorrelation_chart(const Steps& steps, double width) {
     all.push_back(curves_of(steps, functional, lags));
   const Range values{lowest(all), 1};
   const Quantity lag = lag_of(steps.trajectory());
+  const double left = left_axis_gap + 16;
+  const double room = width - right_room - left;
+  const auto width_of = [room](std::size_t columns) {
+    return (room - static_cast<double>(columns - 1) * panel_gap) / static_cast<double>(columns);
+  };
+  const std::size_t columns = width_of(all.size()) >= least_panel_width ? all.size() : 1;
+  const double row_height = header + panel_height + bottom_axis_height;
   return {
       fmt::format("Autocorrelation, {}; thin: each chain, thick: their mean; τ: integrated time",
                   in_words(steps)),
-      header + panel_height + bottom_axis_height, [=](Svg& svg, Vector top_left) {
-        const auto count = static_cast<double>(all.size());
-        const double left = top_left.x + left_axis_gap + 16;
-        const double across =
-            (top_left.x + width - right_room - left - (count - 1) * panel_gap) / count;
-        const double top = top_left.y + header, bottom = top + panel_height;
-        const Axis y = make_axis({"autocorrelation", ""}, values, {bottom, top}, 6);
-        draw_left_axis(svg, y, left - 3);
-        draw_left_title(svg, y, left - 3);
+      row_height * static_cast<double>(all.size() / columns), [=](Svg& svg, Vector top_left) {
+        const double across = width_of(columns);
         for (std::size_t k = 0; k < all.size(); ++k) {
-          const double begin = left + static_cast<double>(k) * (across + panel_gap);
+          const double top = top_left.y + header + row_height * static_cast<double>(k / columns);
+          const double bottom = top + panel_height;
+          const double begin =
+              top_left.x + left + static_cast<double>(k % columns) * (across + panel_gap);
+          const Axis y = make_axis({"autocorrelation", ""}, values, {bottom, top}, 6);
+          if (k % columns == 0) {
+            draw_left_axis(svg, y, begin - 3);
+            draw_left_title(svg, y, begin - 3);
+          }
           const Axis x = make_axis(lag, {0, static_cast<double>(lags)}, {begin, begin + across}, 5);
           draw_panel(svg, all[k], x.scale, y.scale);
           draw_bottom_axis(svg, x, bottom);

@@ -15,6 +15,11 @@ struct Block {
   std::function<void(Svg& svg, Vector top_left)> draw;
 };
 
+// The title of a page in as many lines as it needs, given the middle of its upper edge; and the
+// room that it takes with the gap below it.
+double title_height(const std::string& title, double width);
+void draw_title(Svg& svg, const std::string& title, Vector top, double width);
+
 // The width that blocks on a page of this width have.
 double block_width(double page_width);
 

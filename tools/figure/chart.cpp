@@ -6,13 +6,14 @@
 #include <set>
 
 #include "tools/figure/chart_axes.h"
+#include "tools/figure/chart_guides.h"
 #include "tools/figure/legend.h"
 #include "tools/figure/style.h"
 
 namespace wander::figure {
 namespace {
 
-constexpr double header = 12, panel_gap = 7, guide_row = 9, right_room = 10, legend_gap = 3;
+constexpr double header = 12, panel_gap = 7, right_room = 10, legend_gap = 3;
 constexpr double points_per_tick = 22;
 constexpr double room = 3;
 
@@ -142,14 +143,6 @@ void draw_band(Svg& svg, const Frame& frame, Range band) {
                        {"fill-opacity", 0.18}});
 }
 
-void draw_guide(Svg& svg, Vector from, Vector to) {
-  svg.line(from, to,
-           {{"class", "guide"},
-            {"stroke", style::neutral.colour},
-            {"stroke-width", 0.8},
-            {"stroke-dasharray", "2 1.6"}});
-}
-
 void draw_level(Svg& svg, const Frame& frame, const Guide& guide) {
   if (!frame.y.shows(guide.at)) return;
   const Range x = frame.x.axis.scale.page;
@@ -219,12 +212,17 @@ double header_of(const Chart& chart) {
              : 4;
 }
 
+ChartAxis horizontal_axis(const Chart& chart, Range page) {
+  return chart_axis(chart.x, x_range(chart), page, static_cast<int>(page.width() / 40));
+}
+
 Layout lay_out(const Chart& chart, const std::vector<LegendEntry>& entries, double width) {
   Layout layout;
   const int ticks = std::max(3, static_cast<int>(chart.panel_height / points_per_tick));
   const ChartAxis y = chart_axis(chart.y, y_range(chart), {chart.panel_height, 0}, ticks);
   layout.left = left_axis_gap + y.axis.label_width();
-  layout.first_top = guide_row * static_cast<double>(chart.guides.size());
+  const ChartAxis x = horizontal_axis(chart, {layout.left, width - right_room});
+  layout.first_top = guides_height(chart, x);
   const double top = header_of(chart);
   layout.step = top + chart.panel_height + panel_gap;
   layout.panels_height =
@@ -234,35 +232,11 @@ Layout lay_out(const Chart& chart, const std::vector<LegendEntry>& entries, doub
   return layout;
 }
 
-// Their labels stand one below the other, all on one side of their lines and in the order in which
-// no line crosses a label.
-void draw_vertical_guides(Svg& svg, const Chart& chart, const ChartAxis& x, double top,
-                          double bottom) {
-  const Range page = x.axis.scale.page;
-  std::vector<Guide> guides;
-  for (const Guide& guide : chart.guides)
-    if (x.shows(guide.at) && x(guide.at) >= page.low && x(guide.at) <= page.high)
-      guides.push_back(guide);
-  const bool right = std::ranges::all_of(guides, [&](const Guide& guide) {
-    return x(guide.at) + 3 + text_width(guide.label, style::small_size) <= page.high;
-  });
-  std::ranges::sort(guides, {}, &Guide::at);
-  if (!right) std::ranges::reverse(guides);
-  for (const Guide& guide : guides) {
-    top += guide_row;
-    const double at = x(guide.at);
-    draw_guide(svg, {at, top - 6}, {at, bottom});
-    svg.text({at + (right ? 3 : -3), top - 1}, guide.label,
-             {.size = style::small_size, .anchor = right ? "start" : "end"});
-  }
-}
-
 void draw_chart(Svg& svg, const Chart& chart, const Layout& layout,
                 const std::vector<LegendEntry>& entries, Vector top_left, double width) {
   const auto scope = svg.group("chart");
   const Range page{top_left.x + layout.left, top_left.x + width - right_room};
-  const ChartAxis x =
-      chart_axis(chart.x, x_range(chart), page, static_cast<int>(page.width() / 40));
+  const ChartAxis x = horizontal_axis(chart, page);
   const Range y = y_range(chart);
   const int ticks = std::max(3, static_cast<int>(chart.panel_height / points_per_tick));
   const double bottom = top_left.y + layout.panels_height;

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/output/film_statistics.h"
-#include "tools/figure/film_panel.h"
+#include "tools/figure/block.h"
+#include "tools/figure/film_layout.h"
 #include "tools/figure/legend.h"
 #include "tools/figure/scene_inset.h"
 #include "tools/figure/style.h"
@@ -14,47 +16,43 @@
 namespace wander::figure {
 namespace {
 
-constexpr double inset_width = 158, inset_gap = 10;
-constexpr double overlay_height = 122, panel_height = 62, panel_header = 12, panel_gap = 5;
-
 // What is drawn, before it has a place.
 struct Content {
   std::vector<Trace> traces;
   std::vector<Bar> reference;
   Layout layout;
   Range values;
-  int value_ticks;
 };
 
-// Where it is drawn.
-struct Page {
-  Vector size;
-  double top;               // of the first panel, its header included
-  Range x;                  // of the panels
-  std::vector<Range> rows;  // of the panels, bottom (the greater y) first
-  Range legend;             // across
-  double legend_top;
-};
+ChartAxis value_axis(const Content& content, const FilmFigureOptions& options, Range row) {
+  const int ticks = content.layout == Layout::overlay ? 7 : 5;
+  return chart_axis({options.axes.value, options.values, {}}, content.values, row, ticks);
+}
 
-Layout resolved(Layout layout, std::size_t films) {
-  if (layout != Layout::automatic) return layout;
-  return films <= 2 ? Layout::overlay : Layout::panels;
+// As good as the one that is drawn, for deciding on the layout.
+Panel draft_panel(const Content& content, const FilmFigureOptions& options) {
+  return {{options.axes.extent, {0, panel_room(options)}},
+          value_axis(content, options, {overlay_height, 0}),
+          content.values};
 }
 
 Content prepare(const std::vector<LabelledFilm>& films, const FilmFigureOptions& options) {
-  Content content{{}, {}, resolved(options.layout, films.size()), {}, 0};
+  Content content{{}, {}, options.layout, {}};
+  const std::size_t most = bars_in(options);
   std::vector<std::vector<Bar>> bars;
   for (const LabelledFilm& film : films)
-    bars.push_back(bars_of(film.rendering.film, options.axes.extent));
+    bars.push_back(bars_of(film.rendering.film, options.axes.extent, most));
   if (options.reference)
-    content.reference = bars_of(options.reference->rendering.film, options.axes.extent);
-  content.value_ticks = content.layout == Layout::overlay ? 7 : 5;
-  content.values = value_range(bars, content.reference);
-  for (std::size_t k = 0; k < films.size(); ++k) {
-    // In panels the place tells the films apart: one style for all.
-    const std::size_t index = content.layout == Layout::overlay ? k % style::films.size() : 0;
-    content.traces.push_back({std::move(bars[k]), style::films[index]});
-  }
+    content.reference = bars_of(options.reference->rendering.film, options.axes.extent, most);
+  const auto range = options.values == Spacing::logarithmic ? log_value_range : value_range;
+  content.values = range(bars, content.reference);
+  for (std::size_t k = 0; k < films.size(); ++k)
+    content.traces.push_back({std::move(bars[k]), style::films[k % style::films.size()]});
+  if (content.layout == Layout::automatic)
+    content.layout = best_layout(content.traces, draft_panel(content, options));
+  // In panels the place tells the films apart: one style for all.
+  if (content.layout == Layout::panels)
+    for (Trace& trace : content.traces) trace.stroke = style::films[0];
   return content;
 }
 
@@ -76,23 +74,19 @@ bool has_unreliable(const Trace& trace) {
                      [](const Bar& bar) { return bar.trust == Trust::unreliable; });
 }
 
-bool has_beyond(const Trace& trace, Range values) {
-  return std::any_of(trace.bars.begin(), trace.bars.end(), [&](const Bar& bar) {
-    return bar.value > values.high || bar.value < values.low;
-  });
-}
-
-double largest_value(const std::vector<Trace>& traces) {
-  double largest = 0;
+// Of all values that are drawn; without any, nothing is beyond an axis.
+Range values_of(const std::vector<Trace>& traces) {
+  Range values{INFINITY, -INFINITY};
   for (const Trace& trace : traces)
-    for (const Bar& bar : trace.bars) largest = std::max(largest, bar.value);
-  return largest;
+    for (const Bar& bar : trace.bars)
+      values = {std::min(values.low, bar.value), std::max(values.high, bar.value)};
+  return values;
 }
 
-std::string band_text(const std::vector<LabelledFilm>& films) {
+std::string band_text(const std::vector<LabelledFilm>& films, std::size_t most_shown) {
   std::size_t most = 1;
   for (const LabelledFilm& film : films)
-    most = std::max(most, bins_per_bar(film.rendering.film.value.size()));
+    most = std::max(most, bins_per_bar(film.rendering.film.value.size(), most_shown));
   if (most == 1) return "95 % interval of each bin";
   return fmt::format("95 % interval; each step averages {} bins", most);
 }
@@ -111,40 +105,18 @@ std::vector<LegendEntry> legend_of(const std::vector<LabelledFilm>& films, const
       add(draw_trace_swatch, content.traces[k].stroke, summary(films[k]));
   if (options.reference)
     entries.push_back({draw_reference_swatch, "reference: " + options.reference->label});
-  add(draw_band_swatch, common, band_text(films));
+  add(draw_band_swatch, common, band_text(films, bars_in(options)));
   if (std::any_of(content.traces.begin(), content.traces.end(), has_unreliable))
     add(draw_unreliable_swatch, common, "unreliable bin");
-  const auto beyond = [&](const Trace& trace) { return has_beyond(trace, content.values); };
-  if (std::any_of(content.traces.begin(), content.traces.end(), beyond))
-    add(draw_beyond_swatch, common,
-        fmt::format("beyond the axis, up to {:.3g} {}", largest_value(content.traces),
-                    options.axes.value.unit));
+  const Range drawn = values_of(content.traces);
+  const std::string& unit = options.axes.value.unit;
+  if (drawn.high > content.values.high)
+    add(draw_above_swatch, common,
+        fmt::format("beyond the axis, up to {:.3g} {}", drawn.high, unit));
+  if (drawn.low < content.values.low)
+    add(draw_below_swatch, common,
+        fmt::format("beyond the axis, down to {:.3g} {}", drawn.low, unit));
   return entries;
-}
-
-Page lay_out(const Content& content, const FilmFigureOptions& options, double value_labels,
-             const std::vector<LegendEntry>& entries) {
-  const double width = options.inset ? style::page_width : style::column_width;
-  const double indent = options.inset ? inset_width + inset_gap : 0;
-  Page page{};
-  page.top = style::margin + (options.title.empty() ? 4 : 2.1 * style::title_size);
-  page.x = {style::margin + indent + left_axis_gap + value_labels, width - style::margin - 8};
-  double y = page.top;
-  if (content.layout == Layout::overlay) {
-    page.rows = {{y + overlay_height, y}};
-  } else {
-    for (std::size_t k = 0; k < content.traces.size(); ++k) {
-      y = page.top + static_cast<double>(k) * (panel_height + panel_header + panel_gap) +
-          panel_header;
-      page.rows.push_back({y + panel_height, y});
-    }
-  }
-  // A single column is narrow: there the legend begins left of the axis.
-  page.legend = {options.inset ? page.x.low : style::margin + 6, width - style::margin};
-  page.legend_top = page.rows.back().low + bottom_axis_height + 3;
-  page.size = {width,
-               page.legend_top + legend_height(entries, page.legend.width()) + style::margin};
-  return page;
 }
 
 // Faint lines at the ticks, for reading values across a wide panel.
@@ -153,10 +125,6 @@ void draw_grid(Svg& svg, const Axis& values, Range x) {
   for (const double tick : values.ticks)
     svg.line({x.low, values.scale(tick)}, {x.high, values.scale(tick)},
              {{"stroke", style::faint}, {"stroke-width", 0.4}});
-}
-
-Axis value_axis(const Content& content, const FilmFigureOptions& options, Range row) {
-  return make_axis(options.axes.value, content.values, row, content.value_ticks);
 }
 
 // Wide bands first, so that the films that are known best end on top.
@@ -169,33 +137,46 @@ std::vector<Trace> by_error(std::span<const Trace> traces) {
 }
 
 void draw_row(Svg& svg, const Content& content, std::span<const Trace> traces,
-              const Axis& positions, const Axis& values) {
-  draw_grid(svg, values, positions.scale.page);
-  draw_traces(svg, {positions.scale, values.scale}, traces, content.reference);
-  draw_left_axis(svg, values, positions.scale.page.low - 3);
+              const Axis& positions, const ChartAxis& values) {
+  draw_grid(svg, values.axis, positions.scale.page);
+  draw_traces(svg, {positions.scale, values, content.values}, traces, content.reference);
+  draw_left_axis(svg, values.axis, positions.scale.page.low - 3);
+}
+
+std::vector<std::string> header_lines(const LabelledFilm& film, double room) {
+  return wrapped(summary(film), style::small_size, room);
+}
+
+void draw_header(Svg& svg, const LabelledFilm& film, const FilmPage& page, Range row) {
+  const std::vector<std::string> lines = header_lines(film, page.x.width());
+  double y = row.high - 4.5 - page.header_line * static_cast<double>(lines.size() - 1);
+  for (const std::string& line : lines) {
+    svg.text({page.x.low, y}, line, {.size = style::small_size});
+    y += page.header_line;
+  }
 }
 
 void draw_rows(Svg& svg, const std::vector<LabelledFilm>& films, const Content& content,
-               const FilmFigureOptions& options, const Page& page) {
+               const FilmFigureOptions& options, const FilmPage& page) {
   const int ticks = static_cast<int>(page.x.width() / 28);
   const Axis positions = make_axis(options.axes.position, options.axes.extent, page.x, ticks);
   const std::span<const Trace> traces = content.traces;
   for (std::size_t k = 0; k < page.rows.size(); ++k) {
-    const Axis values = value_axis(content, options, page.rows[k]);
+    const ChartAxis values = value_axis(content, options, page.rows[k]);
     if (content.layout == Layout::overlay) {
       draw_row(svg, content, by_error(traces), positions, values);
       continue;
     }
-    svg.text({page.x.low, page.rows[k].high - 4.5},
-             shortened(summary(films[k]), style::small_size, page.x.width()),
-             {.size = style::small_size});
+    draw_header(svg, films[k], page, page.rows[k]);
     draw_row(svg, content, traces.subspan(k, 1), positions, values);
   }
   const double bottom = page.rows.back().low + 3;
   draw_bottom_axis(svg, positions, bottom);
   draw_bottom_title(svg, positions, bottom);
   const Range all{page.rows.back().low, page.rows.front().high};
-  draw_left_title(svg, value_axis(content, options, all), page.x.low - 3);
+  Axis title = value_axis(content, options, all).axis;
+  title.labels = value_axis(content, options, page.rows.front()).axis.labels;
+  draw_left_title(svg, title, page.x.low - 3);
 }
 
 std::string spoken(const std::vector<LabelledFilm>& films, const FilmFigureOptions& options) {
@@ -205,11 +186,21 @@ std::string spoken(const std::vector<LabelledFilm>& films, const FilmFigureOptio
   return text;
 }
 
-void draw_title(Svg& svg, const std::string& title, const Page& page) {
-  if (title.empty()) return;
-  svg.text({page.size.x / 2, style::margin + style::title_size},
-           shortened(title, style::bold_width * style::title_size, page.size.x - 2 * style::margin),
-           {.size = style::title_size, .anchor = "middle", .weight = "bold"});
+// What the page has to hold.
+FilmContent measured(const std::vector<LabelledFilm>& films, const Content& content,
+                     const FilmFigureOptions& options, const std::vector<LegendEntry>& entries) {
+  const bool overlay = content.layout == Layout::overlay;
+  const double row = overlay ? overlay_height : panel_height;
+  FilmContent measures{
+      .rows = films.size(),
+      .header_lines = 0,
+      .value_labels = value_axis(content, options, {row, 0}).axis.label_width(),
+      .legend_height = [&entries](double width) { return legend_height(entries, width); }};
+  const double room = panel_room(options) - measures.value_labels;
+  if (!overlay)
+    for (const LabelledFilm& film : films)
+      measures.header_lines = std::max(measures.header_lines, header_lines(film, room).size());
+  return measures;
 }
 
 }  // namespace
@@ -217,21 +208,15 @@ void draw_title(Svg& svg, const std::string& title, const Page& page) {
 std::string film_figure(const std::vector<LabelledFilm>& films, const FilmFigureOptions& options) {
   const Content content = prepare(films, options);
   const std::vector<LegendEntry> entries = legend_of(films, content, options);
-  const double value_labels = value_axis(content, options, {1, 0}).label_width();
-  const Page page = lay_out(content, options, value_labels, entries);
+  const FilmPage page = lay_out(measured(films, content, options, entries), options);
 
   Svg svg(page.size, options.title.empty() ? "Film" : options.title, spoken(films, options));
   std::vector<style::Stroke> strokes;
   for (const Trace& trace : content.traces) strokes.push_back(trace.stroke);
   strokes.push_back(style::neutral);
   define_hatching(svg, strokes);
-  draw_title(svg, options.title, page);
-  if (options.inset) {
-    const double room = page.rows.back().low - page.top + bottom_axis_height;
-    const double height = inset_height(*options.inset, inset_width, room);
-    draw_inset(svg, *options.inset, {style::margin, page.top + (room - height) / 2},
-               {inset_width, height});
-  }
+  draw_title(svg, options.title, {page.size.x / 2, style::margin}, block_width(page.size.x));
+  if (options.inset) draw_inset(svg, *options.inset, page.inset, page.inset_size);
   draw_rows(svg, films, content, options, page);
   draw_legend(svg, entries, {page.legend.low, page.legend_top}, page.legend.width());
   return std::move(svg).finish();

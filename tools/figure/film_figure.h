@@ -1,7 +1,8 @@
 // Films of two-dimensional scenes as a figure: value over position with 95 % intervals, one film
 // over the other or each in a panel of its own, beside a drawing of the scene.
 //
-// One column wide; two columns with the scene.
+// One column wide; two columns with the scene, which stands above the films where there is no room
+// for it beside them.
 #pragma once
 
 #include <optional>
@@ -10,6 +11,7 @@
 
 #include "core/description.h"
 #include "core/rendering.h"
+#include "tools/figure/chart.h"
 #include "tools/figure/film_series.h"
 
 namespace wander::figure {
@@ -19,7 +21,8 @@ struct LabelledFilm {
   Rendering rendering;
 };
 
-// `automatic` lays two films over one another, and gives each its panel when there are more.
+// `automatic` lays two films over one another as long as their lines can be told apart; otherwise,
+// and when there are more, each has its panel.
 enum class Layout { automatic, overlay, panels };
 
 struct FilmFigureOptions {
@@ -28,6 +31,8 @@ struct FilmFigureOptions {
   std::optional<description::Scene> inset;  // drawn at the left
   std::optional<LabelledFilm> reference;    // a thin black line
   Layout layout = Layout::automatic;
+  std::optional<double> width{};  // of the page, in points
+  Spacing values = Spacing::linear;
 };
 
 // An SVG document.  At least one film.

@@ -3,24 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tools/figure/legend.h"
+#include "tools/figure/meanings.h"
 
 namespace wander::figure {
 namespace {
 
 constexpr double line_width = 0.9, reference_width = 0.6, band_opacity = 0.25;
-constexpr double dot_radius = 1.3, dot_spacing = 4, arrow_size = 2.7;
-
-std::string hatch_id(const style::Stroke& stroke) {
-  return fmt::format("hatch-{}", stroke.colour.substr(1));
-}
-
-// Heights on the page, kept near it however large the value: the clip path cuts the rest.
-double height(const Panel& panel, double value) {
-  constexpr double beyond = 20;
-  return std::clamp(panel.y(value), panel.y.page.high - beyond, panel.y.page.low + beyond);
-}
+constexpr double dot_radius = 1.3, dot_spacing = 7, arrow_size = 2.7;
+// A line that goes up and down for more than this many widths of the panel is drawn thinner.
+constexpr double calm_travel = 2.5, least_line_width = 0.45;
 
 // Whether the line and the band go on from one bar to the next.
 bool adjoin(const Bar& left, const Bar& right) { return left.position.high == right.position.low; }
@@ -28,7 +22,7 @@ bool adjoin(const Bar& left, const Bar& right) { return left.position.high == ri
 std::string steps(const Panel& panel, std::span<const Bar> bars) {
   std::string data;
   for (std::size_t k = 0; k < bars.size(); ++k) {
-    const double y = height(panel, bars[k].value);
+    const double y = panel.height(bars[k].value);
     if (k > 0 && adjoin(bars[k - 1], bars[k]))
       data += "V" + number(y);
     else
@@ -43,8 +37,8 @@ std::string band(const Panel& panel, std::span<const Bar> bars) {
   std::string there, back;
   for (const Bar& bar : bars) {
     const double left = panel.x(bar.position.low), right = panel.x(bar.position.high);
-    const double top = height(panel, bar.value + *bar.half_width);
-    const double bottom = height(panel, bar.value - *bar.half_width);
+    const double top = panel.height(bar.value + *bar.half_width);
+    const double bottom = panel.height(bar.value - *bar.half_width);
     there += (there.empty() ? "M" : "L") + coordinates({left, top}) + "H" + number(right);
     back = "L" + coordinates({right, bottom}) + "H" + number(left) + back;
   }
@@ -65,7 +59,7 @@ void draw_bands(Svg& svg, const Panel& panel, const Trace& trace) {
                {{"class", "band"}, {"fill", trace.stroke.colour}, {"fill-opacity", band_opacity}});
     else
       svg.path(data, {{"class", "band unreliable"},
-                      {"fill", fmt::format("url(#{})", hatch_id(trace.stroke))}});
+                      {"fill", define_fill(svg, unreliable_fill(trace.stroke.colour))}});
   }
 }
 
@@ -97,8 +91,17 @@ void draw_arrow_head(Svg& svg, Vector tip, double along, const style::Stroke& st
             {"paint-order", "stroke"}});
 }
 
+// The ink of a line stays about the same however noisy it is.
+double line_width_of(const Panel& panel, std::span<const Bar> bars) {
+  double travel = 0;
+  for (std::size_t k = 1; k < bars.size(); ++k)
+    travel += std::abs(panel.height(bars[k].value) - panel.height(bars[k - 1].value));
+  const double widths = travel / panel.x.page.width();
+  return std::max(least_line_width, line_width * std::min(1., calm_travel / widths));
+}
+
 Vector middle(const Panel& panel, const Bar& bar) {
-  return {panel.x((bar.position.low + bar.position.high) / 2), panel.y(bar.value)};
+  return {panel.x((bar.position.low + bar.position.high) / 2), panel.height(bar.value)};
 }
 
 // Dots keep a distance, so that thin bins do not make a chain of them.
@@ -118,16 +121,16 @@ void draw_arrow_heads(Svg& svg, const Panel& panel, const Trace& trace) {
   for (const Bar& bar : trace.bars) {
     const Vector at = middle(panel, bar);
     if (!panel.is_beyond(bar.value) || at.x < free_from) continue;
-    const bool above = bar.value > panel.y.domain.high;
-    draw_arrow_head(svg, {at.x, above ? panel.y.page.high : panel.y.page.low}, above ? 1 : -1,
-                    trace.stroke);
+    const bool above = panel.is_above(bar.value);
+    const Range page = panel.y.axis.scale.page;
+    draw_arrow_head(svg, {at.x, above ? page.high : page.low}, above ? 1 : -1, trace.stroke);
     free_from = at.x + 2 * arrow_size;
   }
 }
 
 // Named after what it holds, so that equal names in one page are equal paths.
 std::string define_clip(Svg& svg, const Panel& panel) {
-  const Range x = panel.x.page, y = panel.y.page;
+  const Range x = panel.x.page, y = panel.y.axis.scale.page;
   const std::string id = fmt::format("clip-{}-{}-{}-{}", number(x.low), number(y.high),
                                      number(x.width()), number(-y.width()));
   if (!svg.is_new(id)) return id;
@@ -138,17 +141,13 @@ std::string define_clip(Svg& svg, const Panel& panel) {
 
 }  // namespace
 
+double Panel::height(double value) const {
+  constexpr double beyond = 20;
+  return y.shows(value) ? y(value) : y.axis.scale.page.low + beyond;
+}
+
 void define_hatching(Svg& svg, std::span<const style::Stroke> strokes) {
-  const auto definitions = svg.open("defs", {});
-  for (const style::Stroke& stroke : strokes) {
-    if (!svg.is_new(hatch_id(stroke))) continue;
-    const auto pattern = svg.open("pattern", {{"id", hatch_id(stroke)},
-                                              {"patternUnits", "userSpaceOnUse"},
-                                              {"width", 2.2},
-                                              {"height", 2.2},
-                                              {"patternTransform", "rotate(45)"}});
-    svg.line({1.1, 0}, {1.1, 2.2}, {{"stroke", stroke.colour}, {"stroke-width", 0.45}});
-  }
+  for (const style::Stroke& stroke : strokes) define_fill(svg, unreliable_fill(stroke.colour));
 }
 
 void draw_traces(Svg& svg, const Panel& panel, std::span<const Trace> traces,
@@ -158,9 +157,8 @@ void draw_traces(Svg& svg, const Panel& panel, std::span<const Trace> traces,
     const auto scope = svg.open("g", {{"clip-path", fmt::format("url(#{})", clip)}});
     for (const Trace& trace : traces) draw_bands(svg, panel, trace);
     for (const Trace& trace : traces)
-      draw_line(svg, steps(panel, trace.bars), trace.stroke, line_width);
-    if (!reference.empty())
-      draw_line(svg, steps(panel, reference), {style::ink, "none"}, reference_width);
+      draw_line(svg, steps(panel, trace.bars), trace.stroke, line_width_of(panel, trace.bars));
+    if (!reference.empty()) draw_line(svg, steps(panel, reference), style::known, reference_width);
   }
   for (const Trace& trace : traces) {
     draw_hollow_dots(svg, panel, trace);
@@ -182,7 +180,7 @@ void draw_band_swatch(Svg& svg, Vector left, const style::Stroke& stroke) {
 }
 
 void draw_reference_swatch(Svg& svg, Vector left) {
-  draw_line(svg, "M" + coordinates(left) + "h" + number(swatch_width), {style::ink, "none"},
+  draw_line(svg, "M" + coordinates(left) + "h" + number(swatch_width), style::known,
             reference_width);
 }
 
@@ -191,13 +189,17 @@ void draw_unreliable_swatch(Svg& svg, Vector left, const style::Stroke& stroke) 
                        {"y", left.y - 3},
                        {"width", swatch_width},
                        {"height", 6},
-                       {"fill", fmt::format("url(#{})", hatch_id(stroke))}});
+                       {"fill", define_fill(svg, unreliable_fill(stroke.colour))}});
   draw_line(svg, "M" + coordinates(left) + "h" + number(swatch_width), stroke, line_width);
   draw_hollow_dot(svg, left + Vector{swatch_width / 2, 0}, stroke);
 }
 
-void draw_beyond_swatch(Svg& svg, Vector left, const style::Stroke& stroke) {
+void draw_above_swatch(Svg& svg, Vector left, const style::Stroke& stroke) {
   draw_arrow_head(svg, left + Vector{swatch_width / 2, -2}, 1, stroke);
+}
+
+void draw_below_swatch(Svg& svg, Vector left, const style::Stroke& stroke) {
+  draw_arrow_head(svg, left + Vector{swatch_width / 2, 2}, -1, stroke);
 }
 
 }  // namespace wander::figure

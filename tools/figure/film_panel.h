@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "tools/figure/chart_axes.h"
 #include "tools/figure/film_series.h"
 #include "tools/figure/style.h"
 
@@ -18,9 +19,15 @@ struct Trace {
 };
 
 struct Panel {
-  LinearScale x, y;
+  LinearScale x;
+  ChartAxis y;
+  Range values;  // from end to end of y
 
-  bool is_beyond(double value) const { return value > y.domain.high || value < y.domain.low; }
+  bool is_above(double value) const { return value > values.high; }
+  bool is_below(double value) const { return value < values.low; }
+  bool is_beyond(double value) const { return is_above(value) || is_below(value); }
+  // On the page, kept near the panel however large the value: the clip path cuts the rest.
+  double height(double value) const;
 };
 
 void define_hatching(Svg& svg, std::span<const style::Stroke> strokes);
@@ -33,6 +40,7 @@ void draw_trace_swatch(Svg& svg, Vector left, const style::Stroke& stroke);
 void draw_band_swatch(Svg& svg, Vector left, const style::Stroke& stroke);
 void draw_reference_swatch(Svg& svg, Vector left);
 void draw_unreliable_swatch(Svg& svg, Vector left, const style::Stroke& stroke);
-void draw_beyond_swatch(Svg& svg, Vector left, const style::Stroke& stroke);
+void draw_above_swatch(Svg& svg, Vector left, const style::Stroke& stroke);
+void draw_below_swatch(Svg& svg, Vector left, const style::Stroke& stroke);
 
 }  // namespace wander::figure

@@ -69,10 +69,21 @@ Range range_of_unreliable(std::span<const std::vector<Bar>> films) {
   return {0, *most > 0 ? std::min(largest, 1.5 * *most) : largest};
 }
 
+// Where more than a tenth of all that is drawn lies below the axis, the axis begins lower.
+double low_tenth(std::span<const std::vector<Bar>> films) {
+  std::vector<double> values;
+  for (const std::vector<Bar>& film : films)
+    for (const Bar& bar : film) values.push_back(bar.value);
+  if (values.empty()) return INFINITY;
+  const auto tenth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
+  std::nth_element(values.begin(), tenth, values.end());
+  return *tenth;
+}
+
 }  // namespace
 
-std::size_t bins_per_bar(std::size_t bins) {
-  return std::max<std::size_t>(1, (bins + most_bars - 1) / most_bars);
+std::size_t bins_per_bar(std::size_t bins, std::size_t most) {
+  return std::max<std::size_t>(1, (bins + most - 1) / most);
 }
 
 double mean_half_width(std::span<const Bar> bars) {
@@ -85,8 +96,8 @@ double mean_half_width(std::span<const Bar> bars) {
   return count > 0 ? sum / static_cast<double>(count) : 0;
 }
 
-std::vector<Bar> bars_of(const FilmEstimate& film, Range position) {
-  const std::size_t bins = film.value.size(), per_bar = bins_per_bar(bins);
+std::vector<Bar> bars_of(const FilmEstimate& film, Range position, std::size_t most) {
+  const std::size_t bins = film.value.size(), per_bar = bins_per_bar(bins, most);
   const double quantile = student_t_95(film.degrees_of_freedom);
   const auto place = [&](std::size_t bin) {
     return position.low + position.width() * static_cast<double>(bin) / static_cast<double>(bins);
@@ -118,10 +129,31 @@ Range value_range(std::span<const std::vector<Bar>> films, std::span<const Bar> 
   // A very wide band is cut: the values are what the figure is about.
   const double room = 0.4 * values.high;
   Range range{std::max(bands.low, values.low - room), std::min(bands.high, values.high + room)};
+  range.low = std::min(range.low, low_tenth(films));
   // Zero belongs to the axis of a non-negative quantity, unless that would squash all there is.
   const bool near_zero = range.low < 0.6 * range.high;
   const double headroom = 0.04 * (range.high - (near_zero ? 0 : range.low));
   return {near_zero ? std::min(0., values.low) : range.low - headroom, range.high + headroom};
+}
+
+Range log_value_range(std::span<const std::vector<Bar>> films, std::span<const Bar> reference) {
+  Range all{INFINITY, -INFINITY}, trusted = all;
+  const auto include = [](Range& range, double value) {
+    if (!(value > 0)) return;
+    range = {std::min(range.low, value), std::max(range.high, value)};
+  };
+  const auto include_bars = [&](std::span<const Bar> bars) {
+    for (const Bar& bar : bars) {
+      include(all, bar.value);
+      if (bar.trust == Trust::reliable) include(trusted, high_end(bar));
+    }
+  };
+  include_bars(reference);
+  for (const std::vector<Bar>& film : films) include_bars(film);
+  if (all.low > all.high) return {0.1, 1};
+  const double high = trusted.low < trusted.high ? trusted.high : all.high;
+  constexpr double depth = 1e6, room = 1.2;
+  return {std::clamp(all.low, high / depth, high / 10) / room, high * room};
 }
 
 FilmAxes film_axes(const description::Scene& scene) {

@@ -10,7 +10,7 @@
 namespace wander::figure {
 namespace {
 
-constexpr double page_width = 360, most_height = 420;
+constexpr double most_height = 420;
 
 Block legend_block(const description::Scene& scene, double width) {
   const std::vector<LegendEntry> entries = legend_of(scene);
@@ -24,7 +24,7 @@ Block legend_block(const description::Scene& scene, double width) {
 }  // namespace
 
 std::string fluence_figure(const description::Scene& scene, const PlaneGrid& grid,
-                           const Rendering& picture, const std::string& title) {
+                           const Rendering& picture, const std::string& title, double page_width) {
   const double width = block_width(page_width);
   const std::string text = fmt::format("fluence of {}: {} walks of light", scene.name,
                                        count_in_words(static_cast<double>(picture.samples)));

@@ -9,8 +9,11 @@
 
 namespace wander::figure {
 
+inline constexpr double fluence_width = 360;
+
 // An SVG document; `picture` is what estimate_fluence() made over this grid.
 std::string fluence_figure(const description::Scene& scene, const PlaneGrid& grid,
-                           const Rendering& picture, const std::string& title);
+                           const Rendering& picture, const std::string& title,
+                           double page_width = fluence_width);
 
 }  // namespace wander::figure

@@ -9,60 +9,93 @@
 namespace wander::figure {
 namespace {
 
-enum class Mark { line, cross, dot };
+std::string_view name_of(Tile tile) {
+  constexpr std::array<std::string_view, 10> names{"plain", "line",   "dash",     "cross",  "dot",
+                                                   "ring",  "square", "triangle", "zigzag", "plus"};
+  return names[static_cast<std::size_t>(tile)];
+}
 
-struct Hatch {
-  Mark mark;
-  double spacing, angle, weight;
-  std::string_view colour, ground;
-};
+// Patterns are named after all that they are made of, so that equal names are equal patterns.
+std::string id_of(const Fill& fill) {
+  std::string id = fmt::format("fill-{}-{}-{}-{}", name_of(fill.tile), number(fill.spacing),
+                               number(fill.angle), number(fill.weight));
+  for (const std::string_view colour : {fill.colour, fill.ground})
+    if (!colour.empty()) id += fmt::format("-{}", colour.substr(1));
+  return id;
+}
 
-constexpr std::string_view grey = "#5a5a5a";
-constexpr std::array<Hatch, 11> hatches{{
-    {Mark::line, 3, 45, 1.3, style::rejected.colour, "#fdebd3"},
-    {Mark::line, 2.4, -45, 0.6, grey, style::paper},
-    {Mark::dot, 2.6, 0, 0.6, grey, style::paper},
-    {Mark::line, 2.4, 0, 0.7, grey, "#e9e9e9"},
-    {Mark::cross, 3, 45, 0.5, grey, style::paper},
-    {Mark::line, 3.4, 90, 1.4, "#8c8c8c", style::paper},
-    {Mark::dot, 3.4, 45, 1, "#8c8c8c", "#efefef"},
-    {Mark::cross, 2.6, 0, 0.5, grey, "#e4e4e4"},
-    {Mark::line, 4.4, -45, 1.6, "#a8a8a8", style::paper},
-    {Mark::line, 1.6, 90, 0.4, grey, style::paper},
-    {Mark::cross, 4.6, 45, 0.9, grey, "#f4f4f4"},
-}};
+void stroke(Svg& svg, const Fill& fill, const std::string& data) {
+  svg.path(data, {{"stroke", fill.colour}, {"stroke-width", fill.weight}, {"fill", "none"}});
+}
 
-void draw_mark(Svg& svg, const Hatch& hatch) {
-  const double middle = hatch.spacing / 2;
-  if (hatch.mark == Mark::dot) {
-    svg.element("circle",
-                {{"cx", middle}, {"cy", middle}, {"r", hatch.weight}, {"fill", hatch.colour}});
-    return;
+void solid(Svg& svg, const Fill& fill, const std::string& data) {
+  svg.path(data, {{"fill", fill.colour}});
+}
+
+void draw_tile(Svg& svg, const Fill& fill) {
+  const double size = fill.spacing, middle = size / 2, radius = 0.27 * size;
+  const std::string across = "M0 " + number(middle) + "H" + number(size);
+  const std::string down = "M" + number(middle) + " 0V" + number(size);
+  switch (fill.tile) {
+    case Tile::plain:
+      return;
+    case Tile::line:
+      return stroke(svg, fill, across);
+    case Tile::dash:
+      return stroke(svg, fill,
+                    "M0 " + number(size / 4) + "h" + number(middle) + "M" + number(middle) + " " +
+                        number(0.75 * size) + "h" + number(middle));
+    case Tile::cross:
+      return stroke(svg, fill, across + down);
+    case Tile::dot:
+      return svg.element(
+          "circle", {{"cx", middle}, {"cy", middle}, {"r", fill.weight}, {"fill", fill.colour}});
+    case Tile::ring:
+      return svg.element("circle", {{"cx", middle},
+                                    {"cy", middle},
+                                    {"r", radius},
+                                    {"fill", "none"},
+                                    {"stroke", fill.colour},
+                                    {"stroke-width", fill.weight}});
+    case Tile::square:
+      return svg.element("rect", {{"x", middle - radius},
+                                  {"y", middle - radius},
+                                  {"width", 2 * radius},
+                                  {"height", 2 * radius},
+                                  {"fill", fill.colour}});
+    case Tile::triangle:
+      return solid(svg, fill,
+                   "M" + coordinates({middle, middle - radius}) + "l" +
+                       coordinates({1.15 * radius, 2 * radius}) + "h" + number(-2.3 * radius) +
+                       "Z");
+    case Tile::zigzag:
+      return stroke(svg, fill,
+                    "M0 " + number(middle + radius) + "L" + coordinates({middle, middle - radius}) +
+                        "L" + coordinates({size, middle + radius}));
+    case Tile::plus:
+      return stroke(svg, fill,
+                    "M" + coordinates({middle - radius, middle}) + "h" + number(2 * radius) + "M" +
+                        coordinates({middle, middle - radius}) + "v" + number(2 * radius));
   }
-  const auto line = [&](Vector from, Vector to) {
-    svg.line(from, to, {{"stroke", hatch.colour}, {"stroke-width", hatch.weight}});
-  };
-  line({0, middle}, {hatch.spacing, middle});
-  if (hatch.mark == Mark::cross) line({middle, 0}, {middle, hatch.spacing});
 }
 
 }  // namespace
 
-std::string define_hatch(Svg& svg, std::size_t k) {
-  const std::size_t index = k < hatches.size() ? k : 1 + (k - 1) % (hatches.size() - 1);
-  const Hatch& hatch = hatches[index];
-  const std::string id = fmt::format("hatch-{}", index);
+std::string define_fill(Svg& svg, const Fill& fill) {
+  if (fill.tile == Tile::plain) return std::string(fill.ground);
+  const std::string id = id_of(fill);
   if (svg.is_new(id)) {
     const auto definitions = svg.open("defs", {});
     const auto pattern =
         svg.open("pattern", {{"id", id},
                              {"patternUnits", "userSpaceOnUse"},
-                             {"width", hatch.spacing},
-                             {"height", hatch.spacing},
-                             {"patternTransform", fmt::format("rotate({})", hatch.angle)}});
-    svg.element("rect",
-                {{"width", hatch.spacing}, {"height", hatch.spacing}, {"fill", hatch.ground}});
-    draw_mark(svg, hatch);
+                             {"width", fill.spacing},
+                             {"height", fill.spacing},
+                             {"patternTransform", fmt::format("rotate({})", number(fill.angle))}});
+    if (!fill.ground.empty())
+      svg.element("rect",
+                  {{"width", fill.spacing}, {"height", fill.spacing}, {"fill", fill.ground}});
+    draw_tile(svg, fill);
   }
   return fmt::format("url(#{})", id);
 }

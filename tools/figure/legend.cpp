@@ -7,7 +7,7 @@
 namespace wander::figure {
 namespace {
 
-constexpr double swatch_gap = 4, column_gap = 8, row_height = 12.5;
+constexpr double swatch_gap = 4, column_gap = 8, row_height = 12.5, line_height = 8.5;
 
 struct Columns {
   std::size_t rows = 1;
@@ -39,25 +39,51 @@ Columns arrange(const std::vector<LegendEntry>& entries, double width) {
   return single;
 }
 
+double room_for_text(double column_width) {
+  // Half a point more, for sums that do not add up to the last bit.
+  return column_width - swatch_width - swatch_gap - column_gap + 0.5;
+}
+
+std::vector<std::string> lines_of(const LegendEntry& entry, double column_width) {
+  return wrapped(entry.text, style::small_size, room_for_text(column_width));
+}
+
+double height_of(const LegendEntry& entry, double column_width) {
+  return row_height + line_height * static_cast<double>(lines_of(entry, column_width).size() - 1);
+}
+
+void draw_entry(Svg& svg, const LegendEntry& entry, Vector top_left, double column_width) {
+  Vector left = top_left + Vector{0, row_height / 2};
+  entry.draw_swatch(svg, left);
+  left += Vector{swatch_width + swatch_gap, 0.36 * style::small_size};
+  for (const std::string& line : lines_of(entry, column_width)) {
+    svg.text(left, line, {.size = style::small_size});
+    left.y += line_height;
+  }
+}
+
 }  // namespace
 
+// Only a single column is ever too narrow for a text.
 double legend_height(const std::vector<LegendEntry>& entries, double width) {
-  return entries.empty() ? 0 : row_height * static_cast<double>(arrange(entries, width).rows);
+  if (entries.empty()) return 0;
+  const Columns columns = arrange(entries, width);
+  if (columns.widths.size() > 1) return row_height * static_cast<double>(columns.rows);
+  double height = 0;
+  for (const LegendEntry& entry : entries) height += height_of(entry, columns.widths.front());
+  return height;
 }
 
 void draw_legend(Svg& svg, const std::vector<LegendEntry>& entries, Vector top_left, double width) {
   const auto scope = svg.group("legend");
+  if (entries.empty()) return;
   const Columns columns = arrange(entries, width);
-  Vector left = top_left;
+  Vector at = top_left;
   for (std::size_t k = 0; k < entries.size(); ++k) {
-    const std::size_t column = k / columns.rows, row = k % columns.rows;
-    if (row == 0 && column > 0) left.x += columns.widths[column - 1];
-    left.y = top_left.y + (static_cast<double>(row) + 0.5) * row_height;
-    entries[k].draw_swatch(svg, left);
-    // Half a point more, for sums that do not add up to the last bit.
-    const double room = columns.widths[column] - swatch_width - swatch_gap - column_gap + 0.5;
-    svg.text(left + Vector{swatch_width + swatch_gap, 0.36 * style::small_size},
-             shortened(entries[k].text, style::small_size, room), {.size = style::small_size});
+    const std::size_t column = k / columns.rows;
+    if (k % columns.rows == 0 && column > 0) at = {at.x + columns.widths[column - 1], top_left.y};
+    draw_entry(svg, entries[k], at, columns.widths[column]);
+    at.y += height_of(entries[k], columns.widths[column]);
   }
 }
 

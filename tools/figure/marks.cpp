@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tools/figure/meanings.h"
 #include "tools/figure/style.h"
 
 namespace wander::figure {
@@ -46,8 +47,8 @@ void double_line(Svg& svg, std::string_view data) {
 // Teeth across the line: roughness.
 void comb(Svg& svg, std::string_view data) { dashed(svg, data, style::wall, 4.6, "0.55 1.45"); }
 
-std::string_view inside_paint(Surface surface) {
-  return surface == Surface::rough_dielectric ? "url(#inside-rough)" : "url(#inside-clear)";
+const Fill& inside_fill(Surface surface) {
+  return surface == Surface::rough_dielectric ? rough_glass : clear_glass;
 }
 
 std::string_view colour(Role role) { return role == Role::light ? style::light : style::sensor; }
@@ -106,24 +107,8 @@ bool is_transparent(Surface surface) {
 }
 
 void define_patterns(Svg& svg) {
-  if (!svg.is_new("inside")) return;
-  const auto definitions = svg.open("defs", {});
-  {
-    const auto clear = svg.open("pattern", {{"id", "inside-clear"},
-                                            {"patternUnits", "userSpaceOnUse"},
-                                            {"width", 3},
-                                            {"height", 3},
-                                            {"patternTransform", "rotate(45)"}});
-    svg.element("rect", {{"width", 3}, {"height", 3}, {"fill", style::glass}});
-    svg.line({1.5, 0}, {1.5, 3}, {{"stroke", style::glass_mark}, {"stroke-width", 0.35}});
-  }
-  const auto rough = svg.open("pattern", {{"id", "inside-rough"},
-                                          {"patternUnits", "userSpaceOnUse"},
-                                          {"width", 2.4},
-                                          {"height", 2.4},
-                                          {"patternTransform", "rotate(30)"}});
-  svg.element("rect", {{"width", 2.4}, {"height", 2.4}, {"fill", style::glass}});
-  dot(svg, {1.2, 1.2}, 0.45, style::glass_mark);
+  define_fill(svg, clear_glass);
+  define_fill(svg, rough_glass);
 }
 
 void draw_surface(Svg& svg, Surface surface, std::string_view data) {
@@ -156,11 +141,11 @@ void draw_surface(Svg& svg, Surface surface, std::string_view data) {
 }
 
 void draw_inside(Svg& svg, Surface surface, std::string_view data) {
-  svg.path(data, {{"fill", inside_paint(surface)}});
+  svg.path(data, {{"fill", define_fill(svg, inside_fill(surface))}});
 }
 
 void draw_inside_ribbon(Svg& svg, Surface surface, std::string_view data, double width) {
-  stroke(svg, data, inside_paint(surface), width);
+  stroke(svg, data, define_fill(svg, inside_fill(surface)), width);
 }
 
 void draw_role(Svg& svg, Role role, std::span<const Curve> curves, const PageMap& map,

@@ -13,6 +13,7 @@ namespace wander::figure {
 namespace {
 
 constexpr int most_columns = 4;
+constexpr double least_column = 100;
 constexpr double gap = 10, padding = 7, caption_height = 31, line_height = 9.2;
 constexpr double legend_gap = 3, most_aspect = 1.3, caption_size = style::small_size;
 constexpr double current_width = 0.7, proposal_width = 2, dot_radius = 1.1;
@@ -112,7 +113,9 @@ struct Grid {
 
 Grid grid_for(std::size_t frames, const Extent& extent, double width) {
   Grid grid;
-  grid.columns = std::clamp(static_cast<int>(frames), 2, most_columns);
+  const int fit =
+      std::clamp(static_cast<int>((width + gap) / (least_column + gap)), 2, most_columns);
+  grid.columns = std::clamp(static_cast<int>(frames), 2, fit);
   grid.rows = std::max(1, (static_cast<int>(frames) + grid.columns - 1) / grid.columns);
   const double across = (width - (grid.columns - 1) * gap) / grid.columns;
   const double aspect = std::min(extent.size().y / extent.size().x, most_aspect);
@@ -162,7 +165,7 @@ void draw_frames(Svg& svg, const std::vector<Frame>& frames, const Grid& grid,
     const auto frame = svg.open(
         "g", {{"class", "step"},
               {"transform", fmt::format("translate({} {})", number(place.x), number(place.y))}});
-    svg.element("use", {{"href", "#sequence-scene"}});
+    svg.use("sequence-scene");
     draw_paths(svg, frames[k], map);
     draw_caption(svg, frames[k], {padding - 4, grid.drawing.y - 3}, grid.cell.x - padding + 4);
   }

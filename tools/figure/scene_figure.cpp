@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tools/figure/axis.h"
+#include "tools/figure/block.h"
 #include "tools/figure/scene_drawing.h"
 #include "tools/figure/scene_legend.h"
 #include "tools/figure/style.h"
@@ -23,8 +24,8 @@ struct Page {
   double height = 0;
 };
 
-Page lay_out(const Extent& extent, double left, double top, double below) {
-  const double width = style::column_width - left - style::margin - 2 * gap;
+Page lay_out(const Extent& extent, double page_width, double left, double top, double below) {
+  const double width = page_width - left - style::margin - 2 * gap;
   const double height =
       std::min(width * extent.size().y / extent.size().x, greatest_drawing_height);
   const Vector low{left + gap, top + gap}, high = low + Vector{width, height};
@@ -59,23 +60,20 @@ std::string scene_figure(const description::Scene& scene, const SceneFigureOptio
   const std::string title = !options.title.empty() ? options.title : scene.name;
   const Extent extent = extent_of(scene);
   const std::vector<LegendEntry> entries = legend_of(scene);
-  const double legend_width = style::column_width - 2 * style::margin - 8;
-  const double top = title.empty() ? style::margin : style::margin + 1.5 * style::title_size;
+  const double legend_width = block_width(options.width) - 8;
+  const double text_room = block_width(options.width);
+  const double top = style::margin + title_height(title, text_room);
   const double below =
       bottom_axis_height + 4 + legend_height(entries, legend_width) + style::margin;
 
   // The labels of the y axis say how wide the drawing can be; they hardly depend on it.
-  const Page draft = lay_out(extent, 40, top, below);
+  const Page draft = lay_out(extent, options.width, 40, top, below);
   const double left = style::margin + left_axis_gap + y_axis(extent, draft).label_width();
-  const Page page = lay_out(extent, left, top, below);
+  const Page page = lay_out(extent, options.width, left, top, below);
   const Axis x = x_axis(extent, page), y = y_axis(extent, page);
 
-  Svg svg({style::column_width, page.height}, title.empty() ? "Scene" : title, spoken(entries));
-  if (!title.empty())
-    svg.text({style::column_width / 2, style::margin + style::title_size},
-             shortened(title, style::bold_width * style::title_size,
-                       style::column_width - 2 * style::margin),
-             {.size = style::title_size, .anchor = "middle", .weight = "bold"});
+  Svg svg({options.width, page.height}, title.empty() ? "Scene" : title, spoken(entries));
+  draw_title(svg, title, {options.width / 2, style::margin}, text_room);
   const double bottom_axis = page.y.high + gap;
   draw_left_axis(svg, y, page.x.low - gap);
   draw_left_title(svg, y, page.x.low - gap);

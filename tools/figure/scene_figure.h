@@ -1,15 +1,17 @@
-// A scene as a figure of its own, one column wide: the drawing in equal aspect with axes in metres,
+// A scene as a figure of its own: the drawing in equal aspect with axes in metres,
 // its name above and a legend below.
 #pragma once
 
 #include <string>
 
 #include "core/description.h"
+#include "tools/figure/style.h"
 
 namespace wander::figure {
 
 struct SceneFigureOptions {
-  std::string title;  // empty: the name of the scene
+  std::string title{};  // empty: the name of the scene
+  double width = style::column_width;
 };
 
 // An SVG document.  The scene must be two-dimensional.

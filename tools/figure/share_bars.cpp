@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "tools/figure/hatching.h"
 #include "tools/figure/legend.h"
+#include "tools/figure/meanings.h"
 #include "tools/figure/style.h"
 #include "tools/wording.h"
 
@@ -11,10 +11,6 @@ namespace wander::figure {
 namespace {
 
 constexpr double bar_height = 15, bar_gap = 17, legend_gap = 2, label_gap = 6;
-
-std::string paint_of(Svg& svg, const Part& part) {
-  return part.hatch ? define_hatch(svg, *part.hatch) : std::string(style::accepted.colour);
-}
 
 void draw_share(Svg& svg, Vector at, double width, const std::string& paint) {
   svg.element("rect", {{"class", "share"},
@@ -48,7 +44,7 @@ void draw_bar(Svg& svg, const ShareBar& bar, const std::vector<Part>& parts, Vec
     const auto found = bar.shares.find(part.key);
     if (found == bar.shares.end()) continue;
     const double wide = found->second * width;
-    draw_share(svg, at, wide, paint_of(svg, part));
+    draw_share(svg, at, wide, define_fill(svg, part.fill));
     draw_percentage(svg, at + Vector{wide / 2, bar_height / 2}, wide, found->second);
     at.x += wide;
   }
@@ -62,7 +58,7 @@ std::vector<LegendEntry> legend_of(const std::vector<Part>& parts) {
                                               {"y", left.y - 4},
                                               {"width", swatch_width},
                                               {"height", 8},
-                                              {"fill", paint_of(svg, part)},
+                                              {"fill", define_fill(svg, part.fill)},
                                               {"stroke", style::ink},
                                               {"stroke-width", 0.4}});
                        },
@@ -86,8 +82,19 @@ std::string spoken(std::string name) {
   return name;
 }
 
-std::string spoken_outcome(const std::string& outcome) {
-  return outcome == refused_word ? "refused by the acceptance test" : spoken(outcome);
+std::vector<Part> outcome_parts(const std::map<std::string, double>& counts) {
+  std::vector<Part> parts;
+  const auto add = [&](const OutcomeMark& mark) {
+    parts.push_back({std::string(mark.outcome), mark.fill, spoken(std::string(mark.words))});
+  };
+  for (const OutcomeMark& mark : outcome_marks())
+    if (const auto found = counts.find(std::string(mark.outcome));
+        found != counts.end() && found->second > 0)
+      add(mark);
+  for (const auto& [outcome, count] : counts)
+    if (count > 0 && std::ranges::find(parts, outcome, &Part::key) == parts.end())
+      add(mark_of_outcome(outcome));
+  return parts;
 }
 
 Block share_bars(std::string heading, std::vector<ShareBar> bars, std::vector<Part> parts,

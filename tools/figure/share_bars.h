@@ -3,18 +3,18 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "tools/figure/block.h"
+#include "tools/figure/hatching.h"
 
 namespace wander::figure {
 
-// The hatch (hatching.h) is the same in every bar; none: the plain colour of accepted proposals.
+// The fill is the same in every bar.
 struct Part {
   std::string key;
-  std::optional<std::size_t> hatch{};
+  Fill fill{};
   std::string legend{};
 };
 
@@ -30,9 +30,7 @@ Block share_bars(std::string heading, std::vector<ShareBar> bars, std::vector<Pa
 // Names in words: without underlines.
 std::string spoken(std::string name);
 
-// What became of proposals, in words; the parts of a bar are accepted first, then the refusals by
-// the acceptance test, then failures.
-inline constexpr std::string_view accepted_word = "accepted", refused_word = "metropolis";
-std::string spoken_outcome(const std::string& outcome);
+// Outcome -> how often; those that never occur have no part.
+std::vector<Part> outcome_parts(const std::map<std::string, double>& counts);
 
 }  // namespace wander::figure

@@ -25,6 +25,9 @@ struct Stroke {
   std::string_view dashes;  // SVG's stroke-dasharray
 };
 inline constexpr Stroke neutral{"#808080", "none"};
+inline constexpr Stroke guide{"#808080", "2 1.6"};
+// A reference, and the path before a step: what is there already.
+inline constexpr Stroke known{ink, "none"};
 // Proposals, told apart by their dashes first.
 inline constexpr Stroke accepted{"#4d88c4", "none"};
 inline constexpr Stroke rejected{"#e07b00", "3.2 1.8"};

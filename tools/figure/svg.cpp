@@ -117,12 +117,30 @@ std::string shortened(std::string_view text, double font_size, double width) {
   return std::string(text.substr(0, end)) + std::string(ellipsis);
 }
 
+std::vector<std::string> wrapped(std::string_view text, double font_size, double width) {
+  std::vector<std::string> lines{""};
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string word(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    std::string& line = lines.back();
+    const std::string longer = line.empty() ? word : line + ' ' + word;
+    if (line.empty() || text_width(longer, font_size) <= width)
+      line = longer;
+    else
+      lines.push_back(word);
+  }
+  for (std::string& line : lines) line = shortened(line, font_size, width);
+  return lines;
+}
+
 std::string coordinates(Vector position) { return number(position.x) + ' ' + number(position.y); }
 
 Svg::Svg(Vector size, std::string_view title, std::string_view description) {
   out_ = fmt::format(
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}pt\" height=\"{1}pt\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" "
+      "xmlns:xlink=\"http://www.w3.org/1999/xlink\" width=\"{0}pt\" height=\"{1}pt\" "
       "viewBox=\"0 0 {0} {1}\" role=\"img\" font-family=\"{2}\">\n",
       number(size.x), number(size.y), style::font);
   out_ +=
@@ -167,6 +185,12 @@ void Svg::text(Vector position, std::string_view content, const TextStyle& text_
     out_ += fmt::format(" transform=\"rotate({} {})\"", number(text_style.rotation),
                         coordinates(position));
   out_ += fmt::format(">{}</text>\n", escaped(content));
+}
+
+// SVG 2 has href, SVG 1.1 xlink:href; Inkscape 1.2 knows the latter alone.
+void Svg::use(std::string_view id) {
+  const std::string reference = fmt::format("#{}", id);
+  element("use", {{"href", reference}, {"xlink:href", reference}});
 }
 
 std::string Svg::finish() && { return std::move(out_) + "</svg>\n"; }

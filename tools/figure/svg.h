@@ -10,6 +10,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/vector.h"
 
@@ -30,6 +31,9 @@ double text_width(std::string_view text, double font_size);
 
 // `text`, or its beginning with an ellipsis when it would be wider than `width`.
 std::string shortened(std::string_view text, double font_size, double width);
+
+// The text in lines that are at most this wide, broken between words; a wider word is shortened.
+std::vector<std::string> wrapped(std::string_view text, double font_size, double width);
 
 struct Attribute {
   Attribute(std::string_view name, std::string_view value) : name(name), value(value) {}
@@ -71,6 +75,9 @@ class Svg {
   void line(Vector from, Vector to, Attributes attributes);
   void path(std::string_view data, Attributes attributes);
   void text(Vector position, std::string_view content, const TextStyle& style);
+
+  // What has this id, once more.
+  void use(std::string_view id);
 
   // True the first time that something of this name is to be defined: ids are unique.
   bool is_new(std::string_view name) { return defined_.emplace(name).second; }

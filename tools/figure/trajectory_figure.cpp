@@ -2,11 +2,9 @@
 
 #include "tools/figure/acceptance_chart.h"
 #include "tools/figure/autocorrelation.h"
-#include "tools/figure/block.h"
 #include "tools/figure/coordinate_trace.h"
 #include "tools/figure/path_density.h"
 #include "tools/figure/path_sequence.h"
-#include "tools/figure/style.h"
 
 namespace wander::figure {
 namespace {
@@ -14,12 +12,6 @@ namespace {
 // On a page of its own, and in the overview.
 constexpr int most_steps = 24, most_steps_of_many = 8;
 constexpr int most_chains = 12, most_chains_of_many = 4;
-
-double width() { return block_width(style::page_width); }
-
-std::string single(const std::string& title, const char* what, Block block) {
-  return page(title, what, style::page_width, {std::move(block)});
-}
 
 StepFilter of_first_chain(StepFilter filter) {
   filter.chains = {filter.chains.empty() ? 0 : filter.chains.front()};
@@ -35,38 +27,45 @@ StepFilter of_any_kind(StepFilter filter) {
 }  // namespace
 
 TrajectoryPage::TrajectoryPage(const Trajectory& trajectory, const description::Scene& scene,
-                               const StepFilter& filter, std::string title)
+                               const StepFilter& filter, std::string title, double page_width)
     : scene_(&scene),
       chosen_(trajectory, filter),
       sequence_(trajectory, of_first_chain(filter)),
       whole_(trajectory, of_any_kind(filter)),
-      title_(std::move(title)) {}
+      title_(std::move(title)),
+      page_width_(page_width) {}
+
+double TrajectoryPage::width() const { return block_width(page_width_); }
+
+std::string TrajectoryPage::single(const char* what, Block block) const {
+  return page(title_, what, page_width_, {std::move(block)});
+}
 
 std::string TrajectoryPage::paths() const {
-  return single(title_, "a sequence of mutated light paths",
+  return single("a sequence of mutated light paths",
                 path_sequence(sequence_, *scene_, width(), most_steps));
 }
 
 std::string TrajectoryPage::trace() const {
-  return single(title_, "the film coordinate of each chain, step by step",
+  return single("the film coordinate of each chain, step by step",
                 coordinate_trace(whole_, width(), most_chains));
 }
 
 std::string TrajectoryPage::acceptance() const {
-  return single(title_, "acceptance by mutation and reason", acceptance_chart(chosen_, width()));
+  return single("acceptance by mutation and reason", acceptance_chart(chosen_, width()));
 }
 
 std::string TrajectoryPage::autocorrelation() const {
-  return single(title_, "autocorrelation of the chains", autocorrelation_chart(whole_, width()));
+  return single("autocorrelation of the chains", autocorrelation_chart(whole_, width()));
 }
 
 std::string TrajectoryPage::density() const {
-  return single(title_, "density of visited paths", density_picture(chosen_, *scene_, width()));
+  return single("density of visited paths", density_picture(chosen_, *scene_, width()));
 }
 
 std::string TrajectoryPage::overview() const {
   return page(
-      title_, "overview of a trajectory", style::page_width,
+      title_, "overview of a trajectory", page_width_,
       {path_sequence(sequence_, *scene_, width(), most_steps_of_many),
        coordinate_trace(whole_, width(), most_chains_of_many), acceptance_chart(chosen_, width()),
        autocorrelation_chart(whole_, width()), density_picture(chosen_, *scene_, width())});

@@ -4,7 +4,9 @@
 #include <string>
 
 #include "core/description.h"
+#include "tools/figure/block.h"
 #include "tools/figure/steps.h"
+#include "tools/figure/style.h"
 
 namespace wander::figure {
 
@@ -12,7 +14,8 @@ class TrajectoryPage {
  public:
   // Trajectory and scene outlive this; what the filter names exists.
   TrajectoryPage(const Trajectory& trajectory, const description::Scene& scene,
-                 const StepFilter& filter, std::string title);
+                 const StepFilter& filter, std::string title,
+                 double page_width = style::page_width);
 
   // SVG documents.
   std::string paths() const;
@@ -28,6 +31,10 @@ class TrajectoryPage {
   Steps sequence_;  // of the chosen steps those of the first chain
   Steps whole_;     // all steps of the same chains and draws, for what needs a series without gaps
   std::string title_;
+  double page_width_;
+
+  double width() const;
+  std::string single(const char* what, Block block) const;
 };
 
 }  // namespace wander::figure

@@ -14,8 +14,7 @@ constexpr std::size_t panels_per_figure = 6;
 }  // namespace
 
 std::string chart_document(figure::Chart chart, const std::string& title,
-                           const std::string& description) {
-  constexpr double width = figure::style::page_width;
+                           const std::string& description, double width) {
   return figure::page(title, description, width,
                       {figure::chart_block(std::move(chart), figure::block_width(width))});
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "tools/figure/meanings.h"
 #include "tools/figure/share_bars.h"
 #include "tools/report/embedding.h"
 #include "tools/report/numbers.h"
@@ -14,7 +15,8 @@
 namespace wander::report {
 namespace {
 
-constexpr std::size_t most_classes = 9, bars_per_figure = 16;
+constexpr std::size_t bars_per_figure = 16;
+using figure::most_classes;
 constexpr const char* rest = "all other classes";
 
 using Shares = std::map<std::string, double>;
@@ -56,7 +58,10 @@ Shares folded(const Shares& shares, const std::vector<std::string>& classes) {
 void write_bars(Html& html, const Subject& subject, const std::vector<std::size_t>& contenders,
                 const std::vector<Shares>& all, const std::vector<std::string>& classes) {
   std::vector<figure::Part> parts;
-  for (std::size_t k = 0; k < classes.size(); ++k) parts.push_back({classes[k], k + 1, classes[k]});
+  for (std::size_t k = 0; k < classes.size(); ++k) {
+    const std::size_t mark = classes[k] == rest ? most_classes : k;
+    parts.push_back({classes[k], figure::class_fills()[mark], classes[k]});
+  }
   for (std::size_t first = 0; first < contenders.size(); first += bars_per_figure) {
     std::vector<figure::ShareBar> bars;
     for (std::size_t k = first; k < std::min(contenders.size(), first + bars_per_figure); ++k)

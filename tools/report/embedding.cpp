@@ -22,6 +22,7 @@ std::string with_prefix(std::string_view svg, const std::string& prefix) {
     svg.remove_prefix(end);
     replace_all(tag, " id=\"", " id=\"" + prefix + "-");
     replace_all(tag, "url(#", "url(#" + prefix + "-");
+    replace_all(tag, "href=\"#", "href=\"#" + prefix + "-");
     result += tag;
   }
   return result;

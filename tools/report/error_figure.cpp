@@ -110,14 +110,15 @@ bool has_extrapolated(const Comparison& comparison) {
   });
 }
 
-std::string error_time_figure(const Comparison& comparison, const std::string& title) {
+std::string error_time_figure(const Comparison& comparison, const std::string& title,
+                              double width) {
   figure::Chart chart = error_chart(comparison, quantity_of(comparison.runs.time), &Cell::seconds);
   for (const Crossing& crossing : marked_crossings(comparison))
     chart.guides.push_back({crossing.seconds.value, label_of(comparison, crossing)});
   for (std::size_t k = 0; k < comparison.curves.size(); ++k)
     extrapolate(chart.panels.front().series[k], comparison, k);
   if (has_extrapolated(comparison)) chart.guides.push_back(end_of(longest_of_all(comparison)));
-  return chart_document(std::move(chart), title, spoken(comparison));
+  return chart_document(std::move(chart), title, spoken(comparison), width);
 }
 
 std::string error_samples_figure(const Comparison& comparison) {

@@ -4,13 +4,15 @@
 #include <string>
 
 #include "tools/compare/comparison.h"
+#include "tools/figure/style.h"
 
 namespace wander::report {
 
 // Relative RMSE against seconds, log-log, with intervals, with the times from which on one
 // contender is ahead of another, and on to the target beyond the longest run where that is
 // extrapolated: dotted, with an open mark.
-std::string error_time_figure(const compare::Comparison& comparison, const std::string& title);
+std::string error_time_figure(const compare::Comparison& comparison, const std::string& title,
+                              double width = figure::style::page_width);
 std::string error_samples_figure(const compare::Comparison& comparison);
 
 // The share of replicates that reach the target within a time [Dolan and Moré 2002].

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tools/figure/meanings.h"
 #include "tools/figure/share_bars.h"
 #include "tools/report/embedding.h"
 #include "tools/report/numbers.h"
@@ -30,7 +31,7 @@ std::map<std::string, std::uint64_t> outcomes_of(const MutationRecord& mutation)
 
 struct Bars {
   std::vector<figure::ShareBar> bars;
-  std::map<std::string, std::uint64_t> outcomes;  // of all bars
+  std::map<std::string, double> outcomes;  // of all bars
 };
 
 Bars bars_of(const Subject& subject) {
@@ -44,47 +45,33 @@ Bars bars_of(const Subject& subject) {
                                        mutation.mean_acceptance)};
       for (const auto& [outcome, count] : outcomes_of(mutation)) {
         bar.shares[outcome] = static_cast<double>(count) / proposed;
-        result.outcomes[outcome] += count;
+        result.outcomes[outcome] += static_cast<double>(count);
       }
       result.bars.push_back(std::move(bar));
     }
   return result;
 }
 
-// Accepted, refused, and then the reasons in the order of the alphabet, the same in every figure.
-std::vector<figure::Part> parts_of(const Bars& all) {
-  std::vector<figure::Part> parts;
-  const auto add = [&](const std::string& outcome, std::optional<std::size_t> hatch) {
-    if (all.outcomes.contains(outcome))
-      parts.push_back({outcome, hatch, figure::spoken_outcome(outcome)});
-  };
-  add(std::string(figure::accepted_word), std::nullopt);
-  add(std::string(figure::refused_word), 0);
-  std::size_t hatch = 0;
-  for (const auto& [outcome, count] : all.outcomes)
-    if (outcome != figure::accepted_word && outcome != figure::refused_word) add(outcome, ++hatch);
-  return parts;
-}
-
 }  // namespace
 
 void write_outcomes(Html& html, const Subject& subject) {
   const Bars all = bars_of(subject);
-  const std::vector<figure::Part> parts = parts_of(all);
+  const std::vector<figure::Part> parts = figure::outcome_parts(all.outcomes);
   for (std::size_t first = 0; first < all.bars.size(); first += bars_per_figure) {
     const auto begin = all.bars.begin() + static_cast<std::ptrdiff_t>(first);
     const std::size_t count = std::min(bars_per_figure, all.bars.size() - first);
     const figure::Block block =
         figure::share_bars("", {begin, begin + static_cast<std::ptrdiff_t>(count)}, parts,
                            figure::block_width(figure_width));
-    write_figure(html,
-                 figure::page("What became of the proposals",
-                              "For each mutation the shares of proposals that were accepted, "
-                              "refused, and that failed for each reason.",
-                              figure_width, {block}),
-                 "Each bar is all proposals of one mutation of one contender, in its first "
-                 "replicate at the last budget. Plain: accepted; slanted lines: refused by the "
-                 "acceptance test; the other hatches: proposals that failed, by reason.");
+    write_figure(
+        html,
+        figure::page("What became of the proposals",
+                     "For each mutation the shares of proposals that were accepted, "
+                     "refused, and that failed for each reason.",
+                     figure_width, {block}),
+        "Each bar is all proposals of one mutation of one contender, in its first "
+        "replicate at the last budget: plain where they were accepted, with the marks of the "
+        "legend where they were refused or failed. A mark means the same in every figure.");
   }
 }
 
