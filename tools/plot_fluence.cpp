@@ -67,14 +67,16 @@ Rendering picture_of(const description::Scene& scene, const PlaneGrid& grid,
   return estimate_fluence(scene, grid, session);
 }
 
-std::string image(const SceneDocument& document, const Rendering& picture, const Global& global) {
+std::string image(const SceneDocument& document, const PlaneGrid& grid, const Rendering& picture,
+                  const Global& global) {
   return to_exr({picture,
                  {.scene_name = document.scene.name,
                   .scene_text = document.text,
                   .scene_sha256 = document.sha256,
                   .dimension = document.scene.dimension,
                   .command_line = global.command_line,
-                  .version = program_version()}});
+                  .version = program_version()}},
+                {{grid.low().x, grid.low().y}, {grid.high().x, grid.high().y}});
 }
 
 }  // namespace
@@ -85,7 +87,7 @@ ExitCode plot_fluence(const PlotOptions& options, const Global& global) {
   const PlaneGrid grid = grid_for(document.scene, options);
   const Rendering picture = picture_of(document.scene, grid, options, global);
   write_file(global.out, form == Form::exr
-                             ? image(document, picture, global)
+                             ? image(document, grid, picture, global)
                              : figure::fluence_figure(document.scene, grid, picture,
                                                       options.title.value_or(document.scene.name)));
   if (!global.quiet)

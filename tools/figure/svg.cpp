@@ -169,6 +169,11 @@ void Svg::text(Vector position, std::string_view content, const TextStyle& text_
   out_ += fmt::format(">{}</text>\n", escaped(content));
 }
 
+void Svg::style_sheet(std::string_view rules) {
+  indent();
+  out_ += fmt::format("<style>{}</style>\n", escaped(rules));
+}
+
 std::string Svg::finish() && { return std::move(out_) + "</svg>\n"; }
 
 void Svg::indent() { out_.append(static_cast<std::size_t>(2 * depth_), ' '); }

@@ -71,6 +71,8 @@ class Svg {
   void line(Vector from, Vector to, Attributes attributes);
   void path(std::string_view data, Attributes attributes);
   void text(Vector position, std::string_view content, const TextStyle& style);
+  // Rules of CSS, for the whole document.
+  void style_sheet(std::string_view rules);
 
   // True the first time that something of this name is to be defined: ids are unique.
   bool is_new(std::string_view name) { return defined_.emplace(name).second; }
