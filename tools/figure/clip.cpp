@@ -23,6 +23,13 @@ bool holds(const Window& window, Vector p) {
   return p.x >= window.low.x && p.x <= window.high.x && p.y >= window.low.y && p.y <= window.high.y;
 }
 
+Vector last_within(Vector a, Vector b, const Window& window) {
+  double t = 0, end = 1;
+  cut(a.x, b.x - a.x, window.low.x, window.high.x, t, end);
+  cut(a.y, b.y - a.y, window.low.y, window.high.y, t, end);
+  return a + std::max(end, 0.) * (b - a);
+}
+
 std::string clipped(const std::vector<Vector>& line, const Window& window) {
   std::string data;
   bool goes_on = false;

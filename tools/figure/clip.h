@@ -16,6 +16,8 @@ struct Window {
 };
 
 bool holds(const Window& window, Vector point);
+// The last point of the line from a, which lies within, towards b that still does.
+Vector last_within(Vector a, Vector b, const Window& window);
 // Path data of the parts of a polyline that lie within.
 std::string clipped(const std::vector<Vector>& line, const Window& window);
 

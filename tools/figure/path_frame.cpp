@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 namespace wander::figure {
 namespace {
@@ -82,6 +82,39 @@ void dots(Svg& svg, const PolyLine& path, PathKind kind, const PageMap& map, con
           {{"cx", map(v).x}, {"cy", map(v).y}, {"r", radius}, {"fill", stroke_of(kind).colour}});
 }
 
+void strokes(Svg& svg, const std::string& data) {
+  svg.path(data, {{"stroke", style::failed.colour}, {"stroke-width", 1.3}, {"fill", "none"}});
+}
+
+void draw_cross(Svg& svg, Vector at) {
+  const Vector a{cross_size, cross_size}, b{cross_size, -cross_size};
+  strokes(svg, "M" + coordinates(at - a) + "L" + coordinates(at + a) + "M" + coordinates(at - b) +
+                   "L" + coordinates(at + b));
+}
+
+// Of a ray that leaves.
+void draw_arrow_head(Svg& svg, Vector tip, Vector along) {
+  const Vector across{-along.y, along.x}, back = tip - 4.5 * along;
+  strokes(svg, "M" + coordinates(back + 2.2 * across) + "L" + coordinates(tip) + "L" +
+                   coordinates(back - 2.2 * across));
+}
+
+// Beside the spot, and within the window.
+void draw_reason(Svg& svg, const std::string& reason, Vector spot, const Window& window) {
+  constexpr double size = 6;
+  const double width = text_width(reason, size);
+  const Vector beside = spot + Vector{cross_size + 2, -2.5};
+  const Vector at{std::clamp(beside.x, window.low.x, std::max(window.low.x, window.high.x - width)),
+                  std::clamp(beside.y, window.low.y + size, window.high.y - 1)};
+  svg.element("rect", {{"x", at.x - 1},
+                       {"y", at.y - 0.85 * size},
+                       {"width", width + 2},
+                       {"height", 1.15 * size},
+                       {"fill", style::paper},
+                       {"fill-opacity", 0.8}});
+  svg.text(at, reason, {.size = size});
+}
+
 }  // namespace
 
 PathFrame path_frame(const Steps& steps, const Step& step) {
@@ -134,27 +167,17 @@ void draw_paths(Svg& svg, const PathFrame& frame, const PageMap& map, const Wind
 
 void draw_failure(Svg& svg, const PathFrame& frame, const PageMap& map, const Window& window) {
   if (!frame.failure) return;
-  const Vector true_spot = map(*frame.failure);
-  const Vector spot = glm::clamp(true_spot, window.low, window.high);
   const auto scope = svg.group("failure");
-  const Vector a{cross_size, cross_size}, b{cross_size, -cross_size};
-  if (spot == true_spot)
-    svg.path("M" + coordinates(spot - a) + "L" + coordinates(spot + a) + "M" +
-                 coordinates(spot - b) + "L" + coordinates(spot + b),
-             {{"stroke", style::failed.colour}, {"stroke-width", 1.3}, {"fill", "none"}});
-  constexpr double size = 6;
-  const double width = text_width(frame.reason, size);
-  const Vector room = window.size();
-  Vector at = spot + Vector{cross_size + 2, -2.5};
-  at.x = std::clamp(at.x, window.low.x, std::max(window.low.x, window.low.x + room.x - width));
-  at.y = std::clamp(at.y, window.low.y + size, window.high.y - 1);
-  svg.element("rect", {{"x", at.x - 1},
-                       {"y", at.y - 0.85 * size},
-                       {"width", width + 2},
-                       {"height", 1.15 * size},
-                       {"fill", style::paper},
-                       {"fill-opacity", 0.8}});
-  svg.text(at, frame.reason, {.size = size});
+  Vector spot = map(*frame.failure);
+  const PolyLine* last = frame.attempt.empty() ? nullptr : &frame.attempt.back();
+  if (holds(window, spot)) {
+    draw_cross(svg, spot);
+  } else if (last != nullptr && last->size() > 1) {
+    const Vector from = map(last->end()[-2]);
+    spot = last_within(from, spot, window);
+    if (spot != from) draw_arrow_head(svg, spot, glm::normalize(spot - from));
+  }
+  draw_reason(svg, frame.reason, spot, window);
 }
 
 }  // namespace wander::figure
