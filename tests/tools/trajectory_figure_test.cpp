@@ -60,13 +60,21 @@ std::vector<std::string> pages(const Trajectory& t, const StepFilter& filter = {
           page.autocorrelation(), page.density(), page.overview()};
 }
 
+// The letters of an image may be any.
+std::string without_images(std::string svg) {
+  const std::string start = "base64,";
+  for (auto at = svg.find(start); at != std::string::npos; at = svg.find(start, at + 1))
+    svg.erase(at, svg.find('"', at) - at);
+  return svg;
+}
+
 TEST(TrajectoryFigure, IsWellFormedAndTheSameEveryTime) {
   for (const auto& [chains, draws] : {std::pair{1, 1}, {1, 3}, {3, 40}, {30, 10}, {1, 3000}}) {
     const Trajectory t = recorded(chains, draws);
     const std::vector<std::string> first = pages(t, {}, "<&>"), again = pages(t, {}, "<&>");
     for (const std::string& svg : first) {
       EXPECT_TRUE(is_well_formed(svg)) << chains << " x " << draws;
-      EXPECT_EQ(svg.find("nan"), std::string::npos);
+      EXPECT_EQ(without_images(svg).find("nan"), std::string::npos);
       EXPECT_LT(svg.size(), 1000000u);
     }
     EXPECT_EQ(first, again);
