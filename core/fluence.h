@@ -7,6 +7,8 @@
 //
 //   <φ>_cell = E[ Σ_i Φ_i |edge_i ∩ cell| ] / |cell|   [track-length estimator: Spanier 1966].
 //
+// Walks are spread evenly, batch by batch (light_walks.h): the error is the spread of the batches.
+//
 // The point in the open counts as a vertex: max_vertices bounds what arrives there as it bounds
 // what arrives at the sensor.  In glass of index n, φ is n times as large at equilibrium, as L is.
 #pragma once

@@ -21,6 +21,14 @@ struct RecordedPaths {
   std::vector<std::int32_t> path_class;  // index into Trajectory::classes; -1: no path
 };
 
+// What there is of proposals that failed: lines to be drawn, with NaN between them and after the
+// last, and the place where each failed, NaN where there is none.
+struct RecordedAttempts {
+  int max_points = 0;
+  std::vector<double> position;  // [chain][draw][point][axis]
+  std::vector<double> failure;   // [chain][draw][axis]
+};
+
 struct Trajectory {
   int dimension = 2, max_vertices = 0;
   int chains = 0, draws = 0;
@@ -29,8 +37,10 @@ struct Trajectory {
   std::vector<std::string> mutations, reasons;  // what the indices below mean
   std::vector<std::string> classes;             // such as LDSE, in order of first appearance
 
-  RecordedPaths state;     // after the decision
-  RecordedPaths proposed;  // also when it was rejected; no path where the proposal failed
+  RecordedPaths state;        // after the decision
+  RecordedPaths proposed;     // also when it was rejected; no path where the proposal failed
+  RecordedPaths start;        // before the first draw, by chain; empty: not recorded
+  RecordedAttempts attempts;  // empty: not recorded
   std::vector<std::int32_t> mutation, reason;
   std::vector<std::uint8_t> accepted;
   std::vector<double> acceptance;     // a(x→y); 0 where there was no proposal

@@ -96,13 +96,14 @@ bool Transport<W>::extend(Path<W>& x, int i, Toward toward, ScatterNumbers<W> u)
 template <World W>
 bool Transport<W>::shoot(Path<W>& x, int i, Toward toward, Direction direction) const {
   const Ray<W> ray{.origin = x[i].place.position, .direction = direction, .from = x[i].place.shape};
+  const int j = toward == Toward::sensor ? i + 1 : i - 1;
+  Vertex<W>& lower = x[std::min(i, j)];
+  // Also of a ray that meets nothing, for those who watch (mlt/attempt.h).
+  lower.place.to_sensor = toward == Toward::sensor ? direction : -direction;
   const Hit<W> hit = scene_->closest(ray);
   if (!hit || !(hit.distance > 0)) return false;
 
-  const int j = toward == Toward::sensor ? i + 1 : i - 1;
   place<W>(x[j], scene_->surface_point(ray, hit), hit.shape, undecided(scene_->surface(hit.shape)));
-  Vertex<W>& lower = x[std::min(i, j)];
-  lower.place.to_sensor = toward == Toward::sensor ? direction : -direction;
   lower.geometry = geometry(x[i], x[j], direction, hit.distance);
   return lower.geometry > 0;
 }

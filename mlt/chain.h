@@ -49,6 +49,13 @@ class Chain {
 
   const Path<W>& current() const { return current_; }
 
+  // The proposal of the step under way, made again in a space of another type, such as one that
+  // watches; `random` is where the step began, and y takes the path.  Is it one to be weighed?
+  template <class OtherSpace, class Random>
+  bool propose_again(const OtherSpace& space, Path<W>& y, Random& random) const {
+    return std::holds_alternative<Proposal>(kernel_->propose(space, current_, y, random).proposed);
+  }
+
   template <class Random, class Observer>
   void step(Random& random, Observer&& observe) {
     auto [mutation, outcome] = kernel_->propose(*space_, current_, proposed_, random);

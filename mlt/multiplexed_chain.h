@@ -29,6 +29,18 @@ class MultiplexedChain {
   double total() const { return chain_.current().total; }  // C = techniques · f / p̄
   double techniques() const { return sampler_.techniques(); }
 
+  // The proposal of the step under way, made of its numbers again in a space of another type.  Is
+  // it a whole path?
+  template <class OtherSpace>
+  bool propose_again(const OtherSpace& space) const {
+    const MultiplexedSampler<OtherSpace> sampler(space, sampler_.vertices());
+    MultiplexedPath<W> y = sampler.make_sample();
+    PrimarySource source(sampler.layout(),
+                         [&](std::size_t k) { return chain_.proposed_numbers()[k]; });
+    sampler.draw(source, y);
+    return y.flaw == Reason::none;
+  }
+
   // The observer gets a PrimaryStep of MultiplexedPath.
   template <class Random, class Observer>
   void step(Random& random, Observer&& observe) {

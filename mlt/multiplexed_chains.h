@@ -45,6 +45,11 @@ class MultiplexedChains {
                   [&](const PrimaryStep<MultiplexedPath<W>>& step) { observe(path_step(step)); });
     }
 
+    template <class OtherSpace, class Random>
+    bool propose_again(const OtherSpace& space, Path<W>&, Random&) const {
+      return chain_.propose_again(space);
+    }
+
    private:
     MultiplexedChain<Space, SmallStep> chain_;
   };

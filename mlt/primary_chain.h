@@ -77,6 +77,8 @@ class PrimaryChain {
 
   const Sample& current() const { return current_.sample; }
   const PrimaryNumbers& numbers() const { return current_.numbers; }
+  // While a step is observed.
+  const PrimaryNumbers& proposed_numbers() const { return proposed_.numbers; }
 
   // Starts at the sample of these numbers.  False: they are not all that the sampler asks for.
   bool start(Sampler& sampler, const PrimaryNumbers& numbers) {

@@ -19,6 +19,7 @@ void StepLog::reserve(std::uint64_t steps, int max_vertices, int dimension) {
   const std::size_t vertices = 2 * steps * static_cast<std::size_t>(max_vertices);
   make_room(steps_, steps);
   make_room(events_, vertices);
+  make_room(attempts_, steps * Attempt::most_points(max_vertices));
   make_room(positions_, vertices * static_cast<std::size_t>(dimension));
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "mlt/attempt.h"
 #include "mlt/chain.h"
 
 namespace wander {
@@ -22,6 +23,13 @@ struct LoggedPath {
   static constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 };
 
+// Of a proposal that failed, among the points of a log (attempt.h).
+struct LoggedAttempt {
+  std::uint64_t first = 0;
+  std::int32_t points = 0;  // 0: nothing is known of it
+  Attempt::Point failure = Attempt::nowhere;
+};
+
 // The terms of a = min(1, f(y) T(y→x) / (f(x) T(x→y))), and the state after the decision.
 struct LoggedStep {
   std::int32_t mutation = 0, reason = 0;
@@ -29,6 +37,7 @@ struct LoggedStep {
   double log_f_current = LoggedPath::no_number;
   double log_forward = LoggedPath::no_number, log_reverse = LoggedPath::no_number;
   LoggedPath state, proposed;
+  LoggedAttempt attempt;
 
   bool accepted() const { return reason == static_cast<std::int32_t>(Reason::none); }
 };
@@ -45,6 +54,7 @@ class StepLog {
     logged.reason = static_cast<std::int32_t>(step.reason);
     logged.acceptance = step.acceptance;
     if (state_.vertices == 0) state_ = store(space, step.current);
+    if (steps_.size() == 1) start_ = state_;
     logged.log_f_current = state_.log_f;
     if (const Proposal* p = std::get_if<Proposal>(&step.outcome)) {
       logged.log_forward = p->forward.log();
@@ -54,6 +64,12 @@ class StepLog {
     if (step.accepted()) state_ = logged.proposed;
     logged.state = state_;
   }
+  // What the step that was added last came to, if its proposal failed.
+  void add(const Attempt& attempt) {
+    steps_.back().attempt = {attempts_.size(), static_cast<std::int32_t>(attempt.points().size()),
+                             attempt.failure()};
+    attempts_.insert(attempts_.end(), attempt.points().begin(), attempt.points().end());
+  }
   // A step that is not written down.
   template <class W>
   void skip(const Step<W>& step) {
@@ -61,6 +77,8 @@ class StepLog {
   }
 
   const std::vector<LoggedStep>& steps() const { return steps_; }
+  const LoggedPath& start() const { return start_; }  // the state before the first of them
+  const std::vector<Attempt::Point>& attempts() const { return attempts_; }
   const std::vector<double>& positions() const { return positions_; }  // [vertex][axis]
   const std::vector<Event>& events() const { return events_; }         // [vertex]
 
@@ -84,7 +102,9 @@ class StepLog {
   std::vector<LoggedStep> steps_;
   std::vector<double> positions_;
   std::vector<Event> events_;
+  std::vector<Attempt::Point> attempts_;
   LoggedPath state_;  // of the chain, if it is known
+  LoggedPath start_;
 };
 
 }  // namespace wander

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "mlt/attempt.h"
 #include "mlt/seeded_chains.h"
 #include "mlt/trajectory.h"
 
@@ -86,10 +87,22 @@ class Tracer {
     const TraceWindow& window = request_.window;
     if (end > window.first)
       log.reserve((end - first) / window.every + 1, space_.max_vertices(), W::dimension);
+    Attempt attempt;
+    const WatchedSpace<Space> watched(space_, attempt);
+    Path<W> again(space_.max_vertices());
+    const auto record = [&](const Step<W>& step, std::uint64_t i) {
+      log.add(space_, step);
+      if (!std::holds_alternative<Failure>(step.outcome)) return;
+      Rng same = random;
+      same.start(i);
+      attempt.clear();
+      if (chain.propose_again(watched, again, same)) attempt.was_complete();
+      log.add(attempt);
+    };
     for (std::uint64_t i = first; i < end; ++i) {
       random.start(i);
       if (window.holds(i))
-        chain.step(random, [&](const Step<W>& step) { log.add(space_, step); });
+        chain.step(random, [&](const Step<W>& step) { record(step, i); });
       else
         chain.step(random, [&](const Step<W>& step) { log.skip(step); });
     }

@@ -33,6 +33,7 @@ class Columns {
   void add(const StepLog& log, int draws) {
     LoggedPath last;  // state, of class `last_id`
     std::int32_t last_id = no_class;
+    add_path(t_.start, log, log.start(), class_of(log, log.start()));
     for (const LoggedStep& step : std::span(log.steps()).first(static_cast<std::size_t>(draws))) {
       add_scalars(step);
       const bool moved = step.state.first != last.first || last_id == no_class;
@@ -41,6 +42,7 @@ class Columns {
       add_path(t_.state, log, step.state, last_id);
       add_path(t_.proposed, log, step.proposed,
                step.accepted() ? last_id : class_of(log, step.proposed));
+      add_attempt(log, step.attempt);
     }
   }
 
@@ -79,16 +81,35 @@ class Columns {
     paths.path_class.push_back(path_class);
   }
 
+  void add_attempt(const StepLog& log, const LoggedAttempt& attempt) {
+    const auto axes = static_cast<std::size_t>(t_.dimension);
+    const auto add = [&](std::vector<double>& column, const Attempt::Point& point) {
+      column.insert(column.end(), point.begin(), point.begin() + static_cast<std::ptrdiff_t>(axes));
+    };
+    for (int k = 0; k < t_.attempts.max_points; ++k)
+      add(t_.attempts.position, k < attempt.points
+                                    ? log.attempts()[attempt.first + static_cast<std::size_t>(k)]
+                                    : Attempt::nowhere);
+    add(t_.attempts.failure, attempt.failure);
+  }
+
   Trajectory& t_;
   ClassTable classes_;
 };
 
 int longest_path(const StepLog& log, int draws) {
-  int longest = 0;
+  int longest = log.start().vertices;
   for (int d = 0; d < draws; ++d) {
     const LoggedStep& step = log.steps()[static_cast<std::size_t>(d)];
     longest = std::max({longest, step.state.vertices, step.proposed.vertices});
   }
+  return longest;
+}
+
+int longest_attempt(const StepLog& log, int draws) {
+  int longest = 0;
+  for (int d = 0; d < draws; ++d)
+    longest = std::max(longest, log.steps()[static_cast<std::size_t>(d)].attempt.points);
   return longest;
 }
 
@@ -105,6 +126,8 @@ void reserve(Trajectory& t) {
                        &t.log_reverse})
     column->reserve(size);
   t.accepted.reserve(size);
+  t.attempts.position.reserve(size * static_cast<std::size_t>(t.attempts.max_points) * axes);
+  t.attempts.failure.reserve(size * axes);
 }
 
 }  // namespace
@@ -121,8 +144,11 @@ Trajectory make_trajectory(std::span<const StepLog> chains, const TraceWindow& w
   std::size_t draws = chains.empty() ? 0 : chains.front().steps().size();
   for (const StepLog& log : chains) draws = std::min(draws, log.steps().size());
   t.draws = static_cast<int>(draws);
-  for (const StepLog& log : chains)
+  for (const StepLog& log : chains) {
     t.max_vertices = std::max(t.max_vertices, longest_path(log, t.draws));
+    t.attempts.max_points = std::max(t.attempts.max_points, longest_attempt(log, t.draws));
+  }
+  t.attempts.max_points = std::max(1, t.attempts.max_points);
   reserve(t);
   Columns columns(t);
   for (const StepLog& log : chains) columns.add(log, t.draws);

@@ -1,4 +1,5 @@
 // `wander inspect`: what a scene requires, or what a run, a trajectory or a comparison holds.
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
@@ -6,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/output/exr.h"
 #include "core/output/run_json.h"
 #include "core/output/trajectory_netcdf.h"
 #include "tools/compare/comparison_json.h"
@@ -23,9 +25,21 @@ struct InspectOptions {
   std::string file, reference;
 };
 
+// Of a picture over the plane, such as of fluence.
+void add_window(const InspectOptions& options, nlohmann::ordered_json& document,
+                std::string& text) {
+  if (std::filesystem::path(options.file).extension() != ".exr") return;
+  const std::optional<PlaneWindow> window = read_window(options.file);
+  if (!window) return;
+  document["window"] = {{"low", window->low}, {"high", window->high}};
+  text += fmt::format("  window          ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m\n", window->low[0],
+                      window->low[1], window->high[0], window->high[1]);
+}
+
 ExitCode show_run(const RunRecord& run, const InspectOptions& options, const Global& global) {
   nlohmann::ordered_json document = inspect_run(run);
   std::string text = text_of_run(run);
+  add_window(options, document, text);
   if (!options.reference.empty()) {
     document["comparison"] = compare_runs(run, read_run(options.reference));
     text += text_of_comparison(document["comparison"]);

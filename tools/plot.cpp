@@ -230,7 +230,8 @@ A scene is drawn with its lights (red, rays on the side that shines), its sensor
 the side that listens) and its materials.  Films are drawn with 95 % intervals; bins that are not
 reliable are hatched.  Several runs share one figure.  Of a comparison the error is drawn against
 time, with the times from which on one contender is ahead of another.  Of a trajectory the first
-steps are drawn one by one: the current path black, accepted proposals solid, rejected ones dashed.
+steps are drawn one by one: the current path black, accepted proposals solid, rejected ones dashed,
+failed ones dotted as far as they came; moves too small to be seen are enlarged.
 The fluence is the integral of radiance over all directions, in W/m; the image has it as channel Y,
 with standard_error.Y.
 The ending says what the figure is: .svg, .png (300 dpi) or .pdf.

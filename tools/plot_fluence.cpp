@@ -67,8 +67,10 @@ Rendering picture_of(const description::Scene& scene, const PlaneGrid& grid,
   return estimate_fluence(scene, grid, session);
 }
 
-std::string image(const SceneDocument& document, const Rendering& picture, const Global& global) {
-  return to_exr({picture, provenance_of(document, global.command_line)});
+std::string image(const SceneDocument& document, const PlaneGrid& grid, const Rendering& picture,
+                  const Global& global) {
+  return to_exr({picture, provenance_of(document, global.command_line)},
+                {{grid.low().x, grid.low().y}, {grid.high().x, grid.high().y}});
 }
 
 }  // namespace
@@ -83,7 +85,7 @@ ExitCode plot_fluence(const PlotOptions& options, const Global& global) {
                                                  options.title.value_or(document.scene.name),
                                                  options.width.value_or(figure::fluence_width)));
   else
-    write_file(global.out, image(document, picture, global));
+    write_file(global.out, image(document, grid, picture, global));
   if (!global.quiet)
     print_note(
         fmt::format("fluence: {} walks of light, {} x {} cells from ({:.6g}, {:.6g}) to "

@@ -9,6 +9,7 @@
 #include <ImfIntAttribute.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
+#include <ImfVecAttribute.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -116,6 +117,11 @@ Imf::Header header_of(const RunRecord& run, const Planes& planes) {
   }
   for (const auto& [name, plane] : planes) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
   return header;
+}
+
+void insert_window(Imf::Header& header, const PlaneWindow& window) {
+  header.insert("window_low", Imf::V2dAttribute({window.low[0], window.low[1]}));
+  header.insert("window_high", Imf::V2dAttribute({window.high[0], window.high[1]}));
 }
 
 Imf::FrameBuffer frame_of(Planes& planes, Size size) {
@@ -261,10 +267,7 @@ RunRecord run_of(const std::filesystem::path& path) {
   return {rendering_of(header, read_planes(file, size), size), provenance};
 }
 
-}  // namespace
-
-std::string to_exr(const RunRecord& run) {
-  Planes planes = planes_of(run.rendering);
+std::string image_of(const RunRecord& run, Planes planes, const Imf::Header& header) {
   const Size size = size_of(run.rendering.film);
   for (const auto& [name, plane] : planes)
     if (plane.size() != size.pixels())
@@ -272,20 +275,51 @@ std::string to_exr(const RunRecord& run) {
   MemoryStream stream;
   {
     // The file is finished by the destructor.  Threads: none, so that bytes do not depend on them.
-    Imf::OutputFile file(stream, header_of(run, planes), 0);
+    Imf::OutputFile file(stream, header, 0);
     file.setFrameBuffer(frame_of(planes, size));
     file.writePixels(size.height);
   }
   return stream.take();
 }
 
-RunRecord read_exr(const std::filesystem::path& path) {
+// What the library and the readers above say becomes a fault of the file.
+template <class Reading>
+auto read_from(const std::filesystem::path& path, Reading&& reading) {
   try {
-    return run_of(path);
+    return reading();
   } catch (const std::exception& problem) {
     throw RunFileError(
         fmt::format("{}: not a film of this program: {}", path.string(), problem.what()));
   }
+}
+
+}  // namespace
+
+std::string to_exr(const RunRecord& run) {
+  Planes planes = planes_of(run.rendering);
+  const Imf::Header header = header_of(run, planes);
+  return image_of(run, std::move(planes), header);
+}
+
+std::string to_exr(const RunRecord& run, const PlaneWindow& window) {
+  Planes planes = planes_of(run.rendering);
+  Imf::Header header = header_of(run, planes);
+  insert_window(header, window);
+  return image_of(run, std::move(planes), header);
+}
+
+RunRecord read_exr(const std::filesystem::path& path) {
+  return read_from(path, [&] { return run_of(path); });
+}
+
+std::optional<PlaneWindow> read_window(const std::filesystem::path& path) {
+  return read_from(path, [&]() -> std::optional<PlaneWindow> {
+    const Imf::InputFile file(path.c_str(), 0);
+    const auto* low = file.header().findTypedAttribute<Imf::V2dAttribute>("window_low");
+    const auto* high = file.header().findTypedAttribute<Imf::V2dAttribute>("window_high");
+    if (low == nullptr || high == nullptr) return std::nullopt;
+    return PlaneWindow{{low->value().x, low->value().y}, {high->value().x, high->value().y}};
+  });
 }
 
 }  // namespace wander

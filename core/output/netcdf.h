@@ -71,6 +71,8 @@ class Reader {
     explicit Group(int id) : id_(id) {}
 
     Group group(const std::string& name) const;
+    bool has_group(const std::string& name) const;
+    bool has_variable(const std::string& name) const;
     std::size_t dimension(const std::string& name) const;
 
     std::string text(const std::string& name) const;

@@ -50,6 +50,16 @@ Reader::Group Reader::Group::group(const std::string& name) const {
   return Group(id);
 }
 
+bool Reader::Group::has_group(const std::string& name) const {
+  int id = -1;
+  return nc_inq_grp_ncid(id_, name.c_str(), &id) == NC_NOERR;
+}
+
+bool Reader::Group::has_variable(const std::string& name) const {
+  int id = -1;
+  return nc_inq_varid(id_, name.c_str(), &id) == NC_NOERR;
+}
+
 std::size_t Reader::Group::dimension(const std::string& name) const {
   int id = -1;
   std::size_t length = 0;

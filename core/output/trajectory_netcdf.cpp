@@ -13,12 +13,12 @@ namespace {
 
 using netcdf::Writer;
 
-const Writer::Dimensions per_draw{"chain", "draw"};
+const Writer::Dimensions per_draw{"chain", "draw"}, per_chain{"chain"};
 
 std::string axes_name(int dimension) { return dimension == 2 ? "xy" : "xyz"; }
 
-// A group with its coordinates and what ArviZ wants to know of it.
-Writer draws_group(const Writer& file, const std::string& name, const TrajectoryRecord& record) {
+// A group with the coordinate of its chains and what ArviZ wants to know of it.
+Writer chains_group(const Writer& file, const std::string& name, const TrajectoryRecord& record) {
   const Trajectory& t = record.trajectory;
   const Writer group = file.group(name);
   group.attribute("inference_library", "wanderlight");
@@ -26,31 +26,44 @@ Writer draws_group(const Writer& file, const std::string& name, const Trajectory
   group.attribute("creation_library", "wanderlight");
   group.attribute("creation_library_language", "C++");
   group.dimension("chain", static_cast<std::size_t>(t.chains));
-  group.dimension("draw", static_cast<std::size_t>(t.draws));
-  std::vector<std::int64_t> chains(static_cast<std::size_t>(t.chains)),
-      steps(static_cast<std::size_t>(t.draws));
+  std::vector<std::int64_t> chains(static_cast<std::size_t>(t.chains));
   std::iota(chains.begin(), chains.end(), 0);
+  group.variable("chain", {"chain"}, chains, "number of the chain");
+  return group;
+}
+
+// With that of its draws too.
+Writer draws_group(const Writer& file, const std::string& name, const TrajectoryRecord& record) {
+  const Trajectory& t = record.trajectory;
+  const Writer group = chains_group(file, name, record);
+  group.dimension("draw", static_cast<std::size_t>(t.draws));
+  std::vector<std::int64_t> steps(static_cast<std::size_t>(t.draws));
   for (std::size_t d = 0; d < steps.size(); ++d)
     steps[d] = static_cast<std::int64_t>(t.first_step + d * t.every);
-  group.variable("chain", {"chain"}, chains, "number of the chain");
   group.variable("draw", {"draw"}, steps, "number of the step");
   return group;
 }
 
-void write_film(const Writer& group, const RecordedPaths& paths, const Trajectory& t,
-                std::string_view meaning) {
-  const std::vector<std::string> names = film_names(t.dimension);
-  for (std::size_t k = 0; k < names.size(); ++k)
-    group.variable(names[k], per_draw, column_of(paths.film, k, names.size()), meaning);
+Writer::Dimensions with(Writer::Dimensions dimensions, const Writer::Dimensions& more) {
+  dimensions.insert(dimensions.end(), more.begin(), more.end());
+  return dimensions;
 }
 
-void write_positions(const Writer& group, const RecordedPaths& paths, const Trajectory& t) {
+void write_film(const Writer& group, const RecordedPaths& paths, const Trajectory& t,
+                const Writer::Dimensions& of, std::string_view meaning) {
+  const std::vector<std::string> names = film_names(t.dimension);
+  for (std::size_t k = 0; k < names.size(); ++k)
+    group.variable(names[k], of, column_of(paths.film, k, names.size()), meaning);
+}
+
+void write_positions(const Writer& group, const RecordedPaths& paths, const Trajectory& t,
+                     const Writer::Dimensions& of) {
   const std::string axes = axes_name(t.dimension);
   group.dimension("vertex", static_cast<std::size_t>(t.max_vertices));
   group.dimension(axes, static_cast<std::size_t>(t.dimension));
-  group.variable("x", {"chain", "draw", "vertex", axes}, paths.position,
+  group.variable("x", with(of, {"vertex", axes}), paths.position,
                  "vertices of the path, light first; NaN beyond its end");
-  group.variable("path_class", per_draw, paths.path_class, t.classes,
+  group.variable("path_class", of, paths.path_class, t.classes,
                  "class of the path, light first: L light, D scattering, S specular, E sensor; -1: "
                  "no path");
 }
@@ -58,20 +71,42 @@ void write_positions(const Writer& group, const RecordedPaths& paths, const Traj
 void write_posterior(const Writer& file, const TrajectoryRecord& record) {
   const Trajectory& t = record.trajectory;
   const Writer group = draws_group(file, "posterior", record);
-  write_film(group, t.state, t, "where the path meets the film, in [0,1)");
+  write_film(group, t.state, t, per_draw, "where the path meets the film, in [0,1)");
   group.variable("n_vertices", per_draw, t.state.vertices,
                  "vertices of the path, both ends counted");
   group.variable("log_f", per_draw, t.log_f, "log of the contribution of the path");
 }
 
+// A proposal that failed.
+void write_attempts(const Writer& group, const Trajectory& t) {
+  if (t.attempts.max_points == 0) return;
+  const std::string axes = axes_name(t.dimension);
+  group.dimension("point", static_cast<std::size_t>(t.attempts.max_points));
+  group.variable("x_reached", with(per_draw, {"point", axes}), t.attempts.position,
+                 "what a proposal that failed came to: its walks, rays and connection, as lines "
+                 "with NaN between them");
+  group.variable("x_failure", with(per_draw, {axes}), t.attempts.failure,
+                 "where a proposal failed; NaN: at no place");
+}
+
+void write_start(const Writer& file, const TrajectoryRecord& record) {
+  const Trajectory& t = record.trajectory;
+  if (t.start.vertices.empty()) return;
+  const Writer group = chains_group(file, "start", record);
+  write_positions(group, t.start, t, per_chain);
+  group.variable("n_vertices", per_chain, t.start.vertices, "vertices before the first draw");
+  write_film(group, t.start, t, per_chain, "where the path before the first draw meets the film");
+}
+
 void write_paths(const Writer& file, const TrajectoryRecord& record) {
   const Trajectory& t = record.trajectory;
-  write_positions(draws_group(file, "paths", record), t.state, t);
+  write_positions(draws_group(file, "paths", record), t.state, t, per_draw);
   const Writer group = draws_group(file, "proposal", record);
-  write_positions(group, t.proposed, t);
+  write_positions(group, t.proposed, t, per_draw);
   group.variable("n_vertices", per_draw, t.proposed.vertices,
                  "vertices of the proposed path; 0: no path was proposed");
-  write_film(group, t.proposed, t, "where the proposed path meets the film, in [0,1)");
+  write_film(group, t.proposed, t, per_draw, "where the proposed path meets the film, in [0,1)");
+  write_attempts(group, t);
 }
 
 void write_sample_stats(const Writer& file, const TrajectoryRecord& record) {
@@ -152,6 +187,7 @@ std::string to_netcdf(const TrajectoryRecord& record, const description::Scene& 
   write_posterior(file, record);
   write_sample_stats(file, record);
   write_paths(file, record);
+  write_start(file, record);
   write_constant_data(file, scene);
   return sealed(file.take());
 }

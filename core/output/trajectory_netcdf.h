@@ -4,7 +4,9 @@
 //
 //   posterior      sensor_u (raster_x, raster_y in 3D), n_vertices, log_f
 //   paths          x, path_class                        the state after the decision
+//   start          the same of the state before the first draw, by chain
 //   proposal       x, n_vertices, sensor_u, path_class  the path that was proposed, if any
+//                  x_reached, x_failure                 what there is of one that failed
 //   sample_stats   lp, acceptance_rate, accepted, diverging, mutation, reason,
 //                  log_f_current, log_f_proposed, log_forward, log_reverse
 //   constant_data  the curves of the scene and its camera

@@ -31,9 +31,10 @@ int bounded(std::size_t count, std::size_t most, const char* name) {
   return static_cast<int>(count);
 }
 
-RecordedPaths read_paths(const Group& positions, const Group& scalars, const Trajectory& t) {
+RecordedPaths read_paths(const Group& positions, const Group& scalars, const Trajectory& t,
+                         std::size_t size) {
   RecordedPaths paths;
-  const std::size_t size = t.size(), vertices = static_cast<std::size_t>(t.max_vertices);
+  const std::size_t vertices = static_cast<std::size_t>(t.max_vertices);
   const std::vector<std::string> names = film_names(t.dimension);
   positions.read("x", size * vertices * static_cast<std::size_t>(t.dimension), paths.position);
   positions.read("path_class", size, paths.path_class);
@@ -47,6 +48,16 @@ RecordedPaths read_paths(const Group& positions, const Group& scalars, const Tra
     for (std::size_t i = 0; i < size; ++i) paths.film[i * names.size() + k] = column[i];
   }
   return paths;
+}
+
+RecordedAttempts read_attempts(const Group& group, const Trajectory& t) {
+  RecordedAttempts attempts;
+  const auto axes = static_cast<std::size_t>(t.dimension);
+  attempts.max_points = bounded(group.dimension("point"), most_axes_and_vertices, "point");
+  group.read("x_reached", t.size() * static_cast<std::size_t>(attempts.max_points) * axes,
+             attempts.position);
+  group.read("x_failure", t.size() * axes, attempts.failure);
+  return attempts;
 }
 
 void read_sample_stats(const Group& group, Trajectory& t) {
@@ -79,8 +90,13 @@ Trajectory trajectory_from(const Group& root) {
   t.max_vertices = bounded(paths.dimension("vertex"), most_axes_and_vertices, "vertex");
   read_sample_stats(root.group("sample_stats"), t);
   t.classes = paths.words("path_class");
-  t.state = read_paths(paths, posterior, t);
-  t.proposed = read_paths(proposal, proposal, t);
+  t.state = read_paths(paths, posterior, t, t.size());
+  t.proposed = read_paths(proposal, proposal, t, t.size());
+  if (proposal.has_variable("x_reached")) t.attempts = read_attempts(proposal, t);
+  if (root.has_group("start")) {
+    const Group start = root.group("start");
+    t.start = read_paths(start, start, t, static_cast<std::size_t>(t.chains));
+  }
   return t;
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -29,12 +31,19 @@ Rendering fluence(const SceneMaker& maker, const PlaneGrid& grid, std::uint64_t 
 
 using Exact = std::function<std::optional<double>(std::size_t cell)>;
 
-// Cells whose exact mean is known.
+// What is Student's t becomes normal.
+double as_z(double t, double degrees_of_freedom) {
+  const double tail = boost::math::cdf(boost::math::students_t(degrees_of_freedom), -std::abs(t));
+  return tail > 0 ? -boost::math::quantile(boost::math::normal(), tail) : INFINITY;
+}
+
+// Cells whose exact mean is known; errors are the spread of batches.
 Decision cells_test(const Rendering& picture, const PlaneGrid& grid, const Exact& exact) {
   std::vector<double> z;
   for (std::size_t cell = 0; cell < grid.size(); ++cell)
     if (const auto expected = exact(cell))
-      z.push_back((picture.film.value[cell] - *expected) / picture.film.standard_error[cell]);
+      z.push_back(as_z((picture.film.value[cell] - *expected) / picture.film.standard_error[cell],
+                       picture.film.degrees_of_freedom));
   return largest_z_test(z, usual_false_alarm);
 }
 
@@ -122,6 +131,26 @@ TEST(Fluence, InTheOpenIsRadianceTimesTheAngleOfTheLight) {
   };
   EXPECT_TRUE(cells_test(picture, grid, angle));
   EXPECT_FALSE(cells_test(picture, grid, irradiance));
+}
+
+// Independent walks to the light from a small lamp would leave 1 / √(walks in a cell) in each.
+TEST(Fluence, OfALampHasNoStreaks) {
+  SceneMaker maker(2);
+  maker.segment({0.001, 1}, {-0.001, 1}, {{}, radiance});
+  maker.segment({3, 3}, {3.1, 3}, {{}, 0, 1});
+  const PlaneGrid grid({-1, 0}, {1, 0.5}, 64);
+  constexpr std::uint64_t walks = 200000;
+  const Rendering picture = fluence(maker, grid, walks);
+  double error = 0, independent = 0;
+  for (std::size_t cell = 0; cell < grid.size(); ++cell) {
+    const PlaneGrid::Point to = grid.center(cell) - PlaneGrid::Point(0, 1);
+    const double distance = glm::length(to), cosine = -to.y / distance;
+    const double exact = radiance * 0.002 * cosine / distance;  // of a lamp that is a point
+    error += std::pow(picture.film.value[cell] / exact - 1, 2);
+    // A share cos/2 dθ of the walks, through a cell that is seen under its width over distance.
+    independent += 1 / (static_cast<double>(walks) * cosine / 2 * grid.cell().x / distance);
+  }
+  EXPECT_LT(std::sqrt(error), 0.25 * std::sqrt(independent));
 }
 
 TEST(Fluence, IsTheSameForAnyNumberOfThreads) {

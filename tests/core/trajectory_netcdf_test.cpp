@@ -85,6 +85,28 @@ void expect_same(const RecordedPaths& a, const RecordedPaths& b) {
   EXPECT_EQ(a.vertices, b.vertices);
   EXPECT_EQ(a.path_class, b.path_class);
 }
+// The same with what a newer file holds: starts, and proposals that failed.
+TrajectoryRecord full_record(int dimension) {
+  TrajectoryRecord record = small_record(dimension);
+  Trajectory& t = record.trajectory;
+  const auto axes = static_cast<std::size_t>(dimension);
+  for (int chain = 0; chain < t.chains; ++chain) {
+    for (std::size_t k = 0; k < 3 * axes; ++k)
+      t.start.position.push_back(k < 2 * axes ? 0.5 * static_cast<double>(k) + chain : none);
+    for (std::size_t k = 0; k + 1 < axes; ++k) t.start.film.push_back(0.25 * chain);
+    t.start.vertices.push_back(2);
+    t.start.path_class.push_back(chain);
+  }
+  t.attempts.max_points = 4;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const bool failed = i % 3 == 1;
+    for (std::size_t k = 0; k < 4 * axes; ++k)
+      t.attempts.position.push_back(failed && k / axes != 2 ? static_cast<double>(k + i) : none);
+    for (std::size_t k = 0; k < axes; ++k) t.attempts.failure.push_back(failed ? 0.5 : none);
+  }
+  return record;
+}
+
 void expect_same(const Trajectory& a, const Trajectory& b) {
   EXPECT_EQ(a.dimension, b.dimension);
   EXPECT_EQ(a.max_vertices, b.max_vertices);
@@ -97,6 +119,10 @@ void expect_same(const Trajectory& a, const Trajectory& b) {
   EXPECT_EQ(a.classes, b.classes);
   expect_same(a.state, b.state);
   expect_same(a.proposed, b.proposed);
+  expect_same(a.start, b.start);
+  EXPECT_EQ(a.attempts.max_points, b.attempts.max_points);
+  EXPECT_TRUE(same(a.attempts.position, b.attempts.position));
+  EXPECT_TRUE(same(a.attempts.failure, b.attempts.failure));
   EXPECT_EQ(a.mutation, b.mutation);
   EXPECT_EQ(a.reason, b.reason);
   EXPECT_EQ(a.accepted, b.accepted);
@@ -149,6 +175,14 @@ TEST_F(TrajectoryFile, ReadsBackWhatWasWritten) {
     EXPECT_EQ(back.provenance.version, "0.1.0");
     for (const OriginField& field : origin_fields)
       EXPECT_EQ(back.provenance.origin.*field.member, record.provenance.origin.*field.member);
+  }
+}
+
+TEST_F(TrajectoryFile, ReadsBackStartsAndWhatFailed) {
+  for (const int dimension : {2, 3}) {
+    const TrajectoryRecord record = full_record(dimension);
+    expect_same(record.trajectory,
+                read_trajectory(file(to_netcdf(record, thin_lens_room()))).trajectory);
   }
 }
 

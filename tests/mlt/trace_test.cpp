@@ -54,7 +54,9 @@ bool same(const Trajectory& a, const Trajectory& b) {
          a.reason == b.reason && a.accepted == b.accepted && same(a.acceptance, b.acceptance) &&
          same(a.log_f, b.log_f) && same(a.log_f_current, b.log_f_current) &&
          same(a.log_f_proposed, b.log_f_proposed) && same(a.log_forward, b.log_forward) &&
-         same(a.log_reverse, b.log_reverse);
+         same(a.log_reverse, b.log_reverse) && same(a.start, b.start) &&
+         same(a.attempts.position, b.attempts.position) &&
+         same(a.attempts.failure, b.attempts.failure);
 }
 
 class TracedRooms : public ::testing::TestWithParam<int> {
@@ -227,6 +229,73 @@ TEST_P(TracedRooms, AReplayedStepIsTheRecordedOne) {
     EXPECT_EQ(r.proposal->y.film[0], t.proposed.film[i]);
   }
   EXPECT_GT(proposals, 0);
+}
+
+// The state before the first draw is recorded too, also where the first draw moves.
+TEST_P(TracedRooms, HoldWhereTheyStart) {
+  const Trajectory t = room_.trajectory(3, {.first = 40, .end = 60});
+  const auto row = static_cast<std::size_t>(t.max_vertices * t.dimension);
+  ASSERT_EQ(t.start.vertices.size(), 3u);
+  for (int chain = 0; chain < 3; ++chain) {
+    const auto c = static_cast<std::size_t>(chain);
+    const Replay r = replay(room_.space, room_.family, session_of(2), chain, 40, settings);
+    ASSERT_EQ(t.start.vertices[c], static_cast<int>(r.x.vertices.size()));
+    EXPECT_EQ(t.classes.at(static_cast<std::size_t>(t.start.path_class[c])), r.x.path_class);
+    EXPECT_EQ(t.start.film[c], r.x.film[0]);
+    for (std::size_t k = 0; k < r.x.vertices.size(); ++k)
+      EXPECT_EQ(t.start.position[c * row + 2 * k], r.x.vertices[k].position[0]);
+  }
+}
+
+using Point = Vec<2, double>;
+
+// Lines that a failed proposal left, and where it failed.
+struct Failed {
+  std::vector<std::vector<Point>> lines;
+  Point place;
+
+  Failed(const Trajectory& t, std::size_t i)
+      : place(t.attempts.failure[2 * i], t.attempts.failure[2 * i + 1]) {
+    const auto points = static_cast<std::size_t>(t.attempts.max_points);
+    bool goes_on = false;
+    for (std::size_t k = i * points; k < (i + 1) * points; ++k) {
+      const Point p(t.attempts.position[2 * k], t.attempts.position[2 * k + 1]);
+      if (std::isfinite(p.x) && !goes_on) lines.emplace_back();
+      if (std::isfinite(p.x)) lines.back().push_back(p);
+      goes_on = std::isfinite(p.x);
+    }
+  }
+};
+
+// What blocks a connection lies on it; a ray that meets nothing leaves the scene; and where there
+// is a proposal there is no failure.
+TEST_P(TracedRooms, HoldWhatFailedAsFarAsItCame) {
+  const Trajectory t = room_.trajectory(3, {.end = 1000});
+  int occluded = 0, missed = 0;
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    const Failed failed(t, i);
+    const std::string& reason = t.reasons[static_cast<std::size_t>(t.reason[i])];
+    if (t.proposed.vertices[i] > 0) {
+      EXPECT_TRUE(failed.lines.empty());
+      EXPECT_TRUE(std::isnan(failed.place.x));
+      continue;
+    }
+    for (const auto& line : failed.lines) EXPECT_GE(line.size(), 1u);
+    if (reason == "occluded") {
+      ++occluded;
+      ASSERT_FALSE(failed.lines.empty());
+      ASSERT_EQ(failed.lines.back().size(), 2u);
+      const Point a = failed.lines.back()[0], b = failed.lines.back()[1];
+      EXPECT_NEAR(glm::distance(a, failed.place) + glm::distance(failed.place, b),
+                  glm::distance(a, b), 1e-9);
+    }
+    if (reason == "missed_scene") {
+      ++missed;
+      ASSERT_FALSE(failed.lines.empty());
+      EXPECT_EQ(failed.lines.back().back(), failed.place);
+    }
+  }
+  EXPECT_GT(occluded + missed, 20);
 }
 
 // The factors that a replay names multiply to what it says of the path.

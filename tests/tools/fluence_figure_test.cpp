@@ -2,6 +2,8 @@
 #include "tools/figure/fluence_figure.h"
 
 #include <gtest/gtest.h>
+#include <openssl/evp.h>
+#include <png.h>
 
 #include <cmath>
 
@@ -9,6 +11,7 @@
 #include "tests/tools/command_line.h"
 #include "tests/tools/figure_checks.h"
 #include "tools/figure/plane_picture.h"
+#include "tools/figure/style.h"
 #include "tools/figure/tones.h"
 
 namespace wander::figure {
@@ -20,6 +23,28 @@ std::vector<double> uneven(const PlaneGrid& grid, double size) {
   for (std::size_t k = 0; k < grid.size(); ++k)
     values.push_back(size * std::exp(std::sin(12.9898 * static_cast<double>(k)) * 3));
   return values;
+}
+
+struct Image {
+  std::uint32_t width;
+  std::vector<Rgb> pixels;
+};
+
+// The first image of a document.
+Image embedded(const std::string& svg) {
+  const std::string start = "data:image/png;base64,";
+  const std::size_t from = svg.find(start) + start.size(), end = svg.find('"', from);
+  std::string bytes(3 * (end - from) / 4, '\0');
+  EVP_DecodeBlock(reinterpret_cast<unsigned char*>(bytes.data()),
+                  reinterpret_cast<const unsigned char*>(svg.data() + from),
+                  static_cast<int>(end - from));
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png_image_begin_read_from_memory(&png, bytes.data(), bytes.size());
+  png.format = PNG_FORMAT_RGB;
+  Image image{png.width, std::vector<Rgb>(std::size_t{png.width} * png.height)};
+  png_image_finish_read(&png, nullptr, image.pixels.data(), 0, nullptr);
+  return image;
 }
 
 std::string figure_of(const std::vector<double>& values, const PlaneGrid& grid) {
@@ -43,17 +68,55 @@ TEST(FluenceFigure, IsWellFormedAndSmallWhateverItShows) {
   EXPECT_TRUE(is_well_formed(figure_of(odd, grid)));
 }
 
+// One pixel to a cell, of the colour that the scale gives its value.
+TEST(Tones, AreAnImageOfTheValues) {
+  std::vector<double> values;
+  for (int k = 0; k < 200; ++k) values.push_back(std::exp(0.02 * k));
+  const PlaneGrid grid({0, 0}, {20, 10}, 20);
+  const ToneScale scale = tone_scale(values);
+  Svg svg({100, 50}, "", "");
+  draw_tones(svg, values, grid, scale, light_colours(), {0, 50}, {100, 0});
+  const Image image = embedded(std::move(svg).finish());
+  ASSERT_EQ(image.width, 20u);
+  ASSERT_EQ(image.pixels.size(), values.size());
+  for (std::size_t k = 0; k < values.size(); ++k)
+    EXPECT_EQ(image.pixels[k], light_colours()[scale.tone(values[k])]) << k;
+}
+
+// Equal steps look equal, and the dark end is dark.
+TEST(Colours, GrowLighterFromBlack) {
+  const auto lightness = [](const Rgb& c) { return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]; };
+  EXPECT_LT(lightness(light_colours().front()), 3);
+  EXPECT_GT(lightness(light_colours().back()), 230);
+  for (std::size_t k = 1; k < light_colours().size(); ++k) {
+    EXPECT_GE(lightness(light_colours()[k]), lightness(light_colours()[k - 1]) - 1) << k;
+    EXPECT_LE(lightness(ink_colours()[k]), lightness(ink_colours()[k - 1])) << k;
+  }
+}
+
+// Walls are light on it, and dark in the figures on paper.
+TEST(FluenceFigure, ShowsTheSceneOnDarkGround) {
+  const PlaneGrid grid = grid_over(room(), 16);
+  const std::string svg = figure_of(uneven(grid, 1), grid);
+  const auto rules = svg.find("<style>"), marks = svg.find("class=\"on-dark\"");
+  ASSERT_NE(rules, std::string::npos);
+  EXPECT_LT(rules, marks);
+  EXPECT_LT(svg.find("class=\"dark-rim\""), marks);
+  EXPECT_NE(svg.find(".on-dark [stroke='" + std::string(style::wall) + "']{stroke:#f2f0f4}"),
+            std::string::npos);
+}
+
 TEST(Tones, GrowWithTheValueAndFireflyDoesNotDarkenThem) {
   std::vector<double> values(10000, 1);
   values[0] = 1e9;
   const ToneScale scale = tone_scale(values);
-  EXPECT_GT(scale.tone(1), tone_count / 2);
+  EXPECT_GT(scale.tone(1), 128);
   int last = 0;
   for (double value = 1e-6; value < 1e12; value *= 1.2) {
     EXPECT_GE(scale.tone(value), last);
     last = scale.tone(value);
   }
-  EXPECT_EQ(last, tone_count - 1);
+  EXPECT_EQ(last, 255);
   EXPECT_EQ(scale.tone(0), 0);
   EXPECT_EQ(scale.tone(nan), 0);
 }
@@ -81,6 +144,12 @@ TEST_F(PlotFluence, MakesAFigureAndAnImageOfTheSamePicture) {
   EXPECT_EQ(run.rendering.film.standard_error.size(), 200u);
   EXPECT_EQ(run.rendering.samples, 2000u);
   EXPECT_HAS(wander("plot light.exr -o again.svg").err, "this is a picture");
+  const auto window = read_window(folder / "light.exr");
+  ASSERT_TRUE(window);
+  EXPECT_EQ(window->low, (std::array{0., 0.}));
+  EXPECT_EQ(window->high, (std::array{2., 1.}));
+  EXPECT_HAS(wander("inspect light.exr").out, "window          (0, 0) to (2, 1) m");
+  EXPECT_HAS(wander("inspect light.exr --json").out, "\"window\"");
 }
 
 TEST_F(PlotFluence, RefusesWhatMakesNoSense) {

@@ -31,7 +31,8 @@ Block density_picture(const Steps& steps, const description::Scene& scene, doubl
                                grid,
                                path_density(steps, grid),
                                {"mean length of path per area", "1/m"},
-                               style::ink_shading},
+                               ink_colours(),
+                               Ground::light},
                               width, most_height);
   block.heading = fmt::format("Density of visited paths, {}", in_words(steps));
   return block;

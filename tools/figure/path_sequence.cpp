@@ -6,97 +6,20 @@
 #include <memory>
 
 #include "tools/figure/legend.h"
+#include "tools/figure/path_frame.h"
+#include "tools/figure/path_zoom.h"
 #include "tools/figure/scene_drawing.h"
 #include "tools/figure/style.h"
 
 namespace wander::figure {
 namespace {
 
-constexpr int most_columns = 4;
+constexpr int most_columns = 3;
 constexpr double least_column = 100;
-constexpr double gap = 10, padding = 7, caption_height = 31, line_height = 9.2;
+constexpr double gap = 10, padding = 7, line_height = 9.2;
+// Below a drawing: the caption, and to its right the enlarged part.
+constexpr double zoom_side = 50, strip_height = zoom_side + 9;
 constexpr double legend_gap = 3, most_aspect = 1.3, caption_size = style::small_size;
-constexpr double current_width = 0.7, proposal_width = 2, dot_radius = 1.1;
-
-struct Frame {
-  std::vector<Vector> current, proposed;  // in the scene; empty: none
-  bool accepted = false;
-  std::string title, outcome, classes;
-};
-
-std::string number_in_words(double a) {
-  if (a >= 0.01 || a == 0) return fmt::format("{:.2g}", a);
-  return fmt::format("{:.1g}", a);
-}
-
-// "occluded" for occluded; "missed scene" for missed_scene.
-std::string spoken(std::string_view name) {
-  std::string text(name);
-  std::ranges::replace(text, '_', ' ');
-  return text;
-}
-
-std::string outcome_of(const Steps& steps, const Step& step) {
-  const double a = steps.trajectory().acceptance[step.index];
-  if (steps.accepted(step)) return fmt::format("accepted, a = {}", number_in_words(a));
-  if (steps.reason(step) == "metropolis")
-    return fmt::format("rejected, a = {}", number_in_words(a));
-  return "failed: " + spoken(steps.reason(step));
-}
-
-std::string classes_of(const Steps& steps, const Step& step) {
-  const Trajectory& t = steps.trajectory();
-  const auto before = steps.before(step);
-  const std::string from(before ? steps.path_class(t.state, *before) : "not recorded");
-  if (t.proposed.vertices[step.index] == 0) return from;
-  const std::string to(steps.path_class(t.proposed, step.index));
-  return from == to ? from : from + " → " + to;
-}
-
-Frame frame_of(const Steps& steps, const Step& step) {
-  const Trajectory& t = steps.trajectory();
-  const auto before = steps.before(step);
-  return {before ? steps.path(t.state, *before) : std::vector<Vector>{},
-          steps.path(t.proposed, step.index),
-          steps.accepted(step),
-          fmt::format("step {}: {}", steps.number(step.draw), spoken(steps.mutation(step))),
-          outcome_of(steps, step),
-          classes_of(steps, step)};
-}
-
-std::string data_of(const std::vector<Vector>& path, const PageMap& map) {
-  std::string data;
-  for (const Vector& v : path) data += (data.empty() ? "M" : "L") + coordinates(map(v));
-  return data;
-}
-
-void stroke_path(Svg& svg, std::string_view kind, const std::string& data,
-                 const style::Stroke& stroke, double width) {
-  svg.path(data, {{"class", kind},
-                  {"stroke", stroke.colour},
-                  {"stroke-width", width},
-                  {"stroke-dasharray", stroke.dashes},
-                  {"stroke-linejoin", "round"},
-                  {"fill", "none"}});
-}
-
-const style::Stroke& proposal_stroke(const Frame& frame) {
-  return frame.accepted ? style::accepted : style::rejected;
-}
-
-void draw_paths(Svg& svg, const Frame& frame, const PageMap& map) {
-  if (frame.proposed.size() > 1)
-    stroke_path(svg, frame.accepted ? "accepted" : "rejected", data_of(frame.proposed, map),
-                proposal_stroke(frame), proposal_width);
-  if (frame.current.size() > 1)
-    stroke_path(svg, "current", data_of(frame.current, map), {style::ink, "none"}, current_width);
-  const auto dots = [&](const std::vector<Vector>& path, std::string_view fill, double radius) {
-    for (const Vector& v : path)
-      svg.element("circle", {{"cx", map(v).x}, {"cy", map(v).y}, {"r", radius}, {"fill", fill}});
-  };
-  dots(frame.proposed, proposal_stroke(frame).colour, 1.5 * dot_radius);
-  dots(frame.current, style::ink, dot_radius);
-}
 
 // Where the drawings stand.
 struct Grid {
@@ -120,11 +43,11 @@ Grid grid_for(std::size_t frames, const Extent& extent, double width) {
   const double across = (width - (grid.columns - 1) * gap) / grid.columns;
   const double aspect = std::min(extent.size().y / extent.size().x, most_aspect);
   grid.drawing = {across, (across - 2 * padding) * aspect + 2 * padding};
-  grid.cell = grid.drawing + Vector{0, caption_height};
+  grid.cell = grid.drawing + Vector{0, strip_height};
   return grid;
 }
 
-void draw_caption(Svg& svg, const Frame& frame, Vector at, double width) {
+void draw_caption(Svg& svg, const PathFrame& frame, Vector at, double width) {
   const auto line = [&](const std::string& text, std::string_view weight) {
     at.y += line_height;
     const double wide = weight == "bold" ? style::bold_width : 1;
@@ -137,21 +60,36 @@ void draw_caption(Svg& svg, const Frame& frame, Vector at, double width) {
 }
 
 std::vector<LegendEntry> legend() {
-  const auto entry = [](const style::Stroke& stroke, double width, std::string text) {
-    return LegendEntry{[=](Svg& svg, Vector left) {
-                         stroke_path(svg, "swatch",
-                                     "M" + coordinates(left) + "h" + number(swatch_width), stroke,
-                                     width);
+  const auto entry = [](PathKind kind, std::string text) {
+    return LegendEntry{[kind](Svg& svg, Vector left) {
+                         draw_line(svg, kind, "swatch",
+                                   "M" + coordinates(left) + "h" + number(swatch_width));
                        },
                        std::move(text)};
   };
-  return {entry({style::ink, "none"}, current_width, "path before the step"),
-          entry(style::accepted, proposal_width, "accepted proposal (solid)"),
-          entry(style::rejected, proposal_width, "rejected proposal (dashed)")};
+  return {entry(PathKind::current, "path before the step"),
+          entry(PathKind::accepted, "accepted proposal (solid)"),
+          entry(PathKind::rejected, "rejected proposal (dashed)"),
+          entry(PathKind::failed, "failed: as far as it came (dotted)")};
+}
+
+// The whole scene with the paths, and below it the caption and what has to be enlarged.
+void draw_frame(Svg& svg, const PathFrame& frame, const Grid& grid, const description::Scene& scene,
+                const PageMap& map) {
+  const Window window{{0, 0}, grid.drawing};
+  draw_paths(svg, frame, map, window);
+  const auto zoom = zoom_of(frame, map.scale);
+  if (zoom) draw_zoom_frame(svg, *zoom, map);
+  draw_failure(svg, frame, map, window);
+  const double beside = zoom ? zoom_side + 4 : 0;
+  draw_caption(svg, frame, {padding - 4, grid.drawing.y - 3}, grid.cell.x - padding + 4 - beside);
+  if (zoom)
+    draw_zoom(svg, frame, scene, *zoom, map,
+              {grid.cell.x - padding - zoom_side, grid.drawing.y - 1}, zoom_side);
 }
 
 // The scene is drawn once and used again in every frame.
-void draw_frames(Svg& svg, const std::vector<Frame>& frames, const Grid& grid,
+void draw_frames(Svg& svg, const std::vector<PathFrame>& frames, const Grid& grid,
                  const description::Scene& scene, Vector top_left) {
   const PageMap map =
       fit(extent_of(scene), Vector{padding, padding}, grid.drawing - Vector{padding, padding});
@@ -166,18 +104,17 @@ void draw_frames(Svg& svg, const std::vector<Frame>& frames, const Grid& grid,
         "g", {{"class", "step"},
               {"transform", fmt::format("translate({} {})", number(place.x), number(place.y))}});
     svg.use("sequence-scene");
-    draw_paths(svg, frames[k], map);
-    draw_caption(svg, frames[k], {padding - 4, grid.drawing.y - 3}, grid.cell.x - padding + 4);
+    draw_frame(svg, frames[k], grid, scene, map);
   }
 }
 
 }  // namespace
 
 Block path_sequence(const Steps& steps, const description::Scene& scene, double width, int most) {
-  auto frames = std::make_shared<std::vector<Frame>>();
+  auto frames = std::make_shared<std::vector<PathFrame>>();
   std::size_t count = 0;
   steps.each([&](const Step& step) {
-    if (count++ < static_cast<std::size_t>(most)) frames->push_back(frame_of(steps, step));
+    if (count++ < static_cast<std::size_t>(most)) frames->push_back(path_frame(steps, step));
   });
   const Grid grid = grid_for(frames->size(), extent_of(scene), width);
   const std::vector<LegendEntry> entries = legend();

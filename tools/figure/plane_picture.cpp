@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "tools/figure/on_dark.h"
 #include "tools/figure/scene_drawing.h"
+#include "tools/figure/style.h"
 #include "tools/figure/tones.h"
 
 namespace wander::figure {
@@ -35,19 +37,28 @@ Frame frame_at(const PlaneGrid& grid, Vector top_left, Vector size, double left)
   return {map, {bottom_left.x, top_right.x}, {top_right.y, bottom_left.y}};
 }
 
+void draw_marks(Svg& svg, const PlanePicture& picture, const PageMap& map) {
+  if (picture.ground == Ground::light) return draw_outlines(svg, picture.scene, map);
+  define_on_dark(svg);
+  for (const std::string_view kind : {dark_rim, on_dark}) {
+    const auto scope = svg.group(kind);
+    draw_outlines(svg, picture.scene, map);
+  }
+}
+
 void draw(Svg& svg, const PlanePicture& picture, const Frame& frame) {
   const PlaneGrid& grid = picture.grid;
   const ToneScale scale = tone_scale(picture.values);
-  draw_tones(svg, picture.values, grid, scale, picture.shading, {frame.x.low, frame.y.high},
+  draw_tones(svg, picture.values, grid, scale, picture.colours, {frame.x.low, frame.y.high},
              {frame.x.high, frame.y.low});
-  draw_outlines(svg, picture.scene, frame.map);
+  draw_marks(svg, picture, frame.map);
   const Axis x = x_axis(grid, frame), y = y_axis(grid, frame);
   const double bottom = frame.y.high + gap;
   draw_left_axis(svg, y, frame.x.low - gap);
   draw_left_title(svg, y, frame.x.low - gap);
   draw_bottom_axis(svg, x, bottom);
   draw_bottom_title(svg, x, bottom);
-  draw_tone_legend(svg, scale, picture.shading, picture.quantity,
+  draw_tone_legend(svg, scale, picture.colours, picture.quantity,
                    {frame.x.low, bottom + bottom_axis_height + legend_gap}, frame.x.width());
 }
 

@@ -8,16 +8,20 @@
 #include "core/plane_grid.h"
 #include "tools/figure/axis.h"
 #include "tools/figure/block.h"
-#include "tools/figure/style.h"
+#include "tools/figure/colour_map.h"
 
 namespace wander::figure {
+
+// What the outlines of the scene are drawn on.
+enum class Ground { light, dark };
 
 struct PlanePicture {
   description::Scene scene;
   PlaneGrid grid;
   std::vector<double> values;  // per cell of the grid
   Quantity quantity;
-  style::Shading shading;
+  const ColourMap& colours;
+  Ground ground;
 };
 
 // The grid that covers a drawing of the scene.

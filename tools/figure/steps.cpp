@@ -34,7 +34,7 @@ bool Steps::is_chosen(const Step& step) const {
   const auto from = before(step);
   return t.state.path_class[step.index] == *filter_.path_class ||
          t.proposed.path_class[step.index] == *filter_.path_class ||
-         (from && t.state.path_class[*from] == *filter_.path_class);
+         (from && from->path_class() == *filter_.path_class);
 }
 
 std::string_view Steps::mutation(const Step& step) const {
@@ -45,10 +45,37 @@ std::string_view Steps::reason(const Step& step) const {
   return word(trajectory_->reasons, trajectory_->reason[step.index]);
 }
 
-std::optional<std::size_t> Steps::before(const Step& step) const {
-  if (!accepted(step)) return step.index;
-  if (step.draw == 0 || trajectory_->every != 1) return std::nullopt;
-  return step.index - 1;
+std::optional<Steps::State> Steps::before(const Step& step) const {
+  const Trajectory& t = *trajectory_;
+  if (!accepted(step)) return State{&t.state, step.index};
+  if (step.draw == 0 && !t.start.vertices.empty())
+    return State{&t.start, static_cast<std::size_t>(step.chain)};
+  if (step.draw == 0 || t.every != 1) return std::nullopt;
+  return State{&t.state, step.index - 1};
+}
+
+std::vector<std::vector<Vector>> Steps::attempt(const Step& step) const {
+  const RecordedAttempts& attempts = trajectory_->attempts;
+  const auto axes = static_cast<std::size_t>(trajectory_->dimension);
+  std::size_t at = step.index * static_cast<std::size_t>(attempts.max_points) * axes;
+  std::vector<std::vector<Vector>> lines;
+  bool goes_on = false;
+  for (int k = 0; k < attempts.max_points; ++k, at += axes) {
+    const Vector p{attempts.position[at], attempts.position[at + 1]};
+    const bool is_point = std::isfinite(p.x) && std::isfinite(p.y);
+    if (is_point && !goes_on) lines.emplace_back();
+    if (is_point) lines.back().push_back(p);
+    goes_on = is_point;
+  }
+  return lines;
+}
+
+std::optional<Vector> Steps::failure(const Step& step) const {
+  const auto& column = trajectory_->attempts.failure;
+  const std::size_t at = step.index * static_cast<std::size_t>(trajectory_->dimension);
+  if (at + 1 >= column.size() || !std::isfinite(column[at]) || !std::isfinite(column[at + 1]))
+    return std::nullopt;
+  return Vector{column[at], column[at + 1]};
 }
 
 std::vector<Vector> Steps::path(const RecordedPaths& paths, std::size_t index) const {

@@ -2,7 +2,8 @@
 // steps of one mutation or the steps from and to paths of one class.
 //
 // A trajectory records the state after a decision.  The state before it is the same path where the
-// proposal was rejected, and the draw before where every step was recorded.
+// proposal was rejected; else it is the draw before where every step was recorded, and the start of
+// the chain before the first draw.
 #pragma once
 
 #include <optional>
@@ -59,8 +60,17 @@ class Steps {
   bool accepted(const Step& step) const { return trajectory_->accepted[step.index] != 0; }
   std::string_view mutation(const Step& step) const;
   std::string_view reason(const Step& step) const;
-  // Where the state before the step is recorded.
-  std::optional<std::size_t> before(const Step& step) const;
+  // The state before the step, where it is recorded.
+  struct State {
+    const RecordedPaths* paths;
+    std::size_t index;
+
+    std::int32_t path_class() const { return paths->path_class[index]; }
+  };
+  std::optional<State> before(const Step& step) const;
+  // What there is of a proposal that failed, as lines, and where it failed.
+  std::vector<std::vector<Vector>> attempt(const Step& step) const;
+  std::optional<Vector> failure(const Step& step) const;
   // Light first; empty where there is no path.
   std::vector<Vector> path(const RecordedPaths& paths, std::size_t index) const;
   std::string_view path_class(const RecordedPaths& paths, std::size_t index) const;

@@ -31,6 +31,9 @@ inline constexpr Stroke known{ink, "none"};
 // Proposals, told apart by their dashes first.
 inline constexpr Stroke accepted{"#4d88c4", "none"};
 inline constexpr Stroke rejected{"#e07b00", "3.2 1.8"};
+inline constexpr Stroke failed{"#b3478f", "1.2 1.2"};
+// Around what is enlarged.
+inline constexpr std::string_view zoom = "#2f7d4f";
 inline constexpr std::array<Stroke, 7> films{{{"#0072b2", "none"},
                                               {"#d55e00", "4 1.6"},
                                               {"#009e73", "1.3 1.3"},
@@ -38,14 +41,6 @@ inline constexpr std::array<Stroke, 7> films{{{"#0072b2", "none"},
                                               {"#e69f00", "2.6 1.3"},
                                               {"#56b4e9", "6 1.2 1.2 1.2 1.2 1.2"},
                                               {"#8c6d31", "9 2"}}};
-
-// Shades of a quantity over the plane, from nothing to most: of light, bright where there is much
-// of it; of ink, dark where there is much of it.  Walls stay legible on every shade.
-struct Shading {
-  std::array<std::array<int, 3>, 3> anchors;  // red, green, blue; evenly spaced
-};
-inline constexpr Shading light_shading{{{{128, 126, 132}, {226, 190, 130}, {255, 251, 228}}}};
-inline constexpr Shading ink_shading{{{{255, 255, 255}, {168, 196, 214}, {84, 124, 164}}}};
 
 // A column of a journal, and a page of two columns.
 inline constexpr double column_width = 252;

@@ -193,6 +193,11 @@ void Svg::use(std::string_view id) {
   element("use", {{"href", reference}, {"xlink:href", reference}});
 }
 
+void Svg::style_sheet(std::string_view rules) {
+  indent();
+  out_ += fmt::format("<style>{}</style>\n", escaped(rules));
+}
+
 std::string Svg::finish() && { return std::move(out_) + "</svg>\n"; }
 
 void Svg::indent() { out_.append(static_cast<std::size_t>(2 * depth_), ' '); }

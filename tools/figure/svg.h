@@ -75,6 +75,8 @@ class Svg {
   void line(Vector from, Vector to, Attributes attributes);
   void path(std::string_view data, Attributes attributes);
   void text(Vector position, std::string_view content, const TextStyle& style);
+  // Rules of CSS, for the whole document.
+  void style_sheet(std::string_view rules);
 
   // What has this id, once more.
   void use(std::string_view id);

@@ -1,24 +1,24 @@
-// A quantity over the plane as a raster of tones, on a logarithmic scale that its legend shows.
+// A quantity over the plane as a picture, on a logarithmic scale that its legend shows: light falls
+// off with distance and loses a share at every reflection, so equal ratios are to be equal steps.
 //
-// The raster is vector: one path for each tone, a stroke of horizontal runs of cells, so that it
-// needs no image format, stays sharp, and is small.
+// The picture is an image within the figure, one pixel to a cell.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "core/plane_grid.h"
 #include "tools/figure/axis.h"
-#include "tools/figure/style.h"
+#include "tools/figure/colour_map.h"
 
 namespace wander::figure {
 
-inline constexpr int tone_count = 20;
-
-// Values from `low` to `high` on a logarithmic scale; what is beyond has the tone of the end.
+// Values from `low` to `high` on a logarithmic scale; what is beyond has the colour of the end.
 struct ToneScale {
   Range domain;
 
-  int tone(double value) const;  // of a cell, 0 … tone_count - 1; 0 also for what is no light
+  // The index of a colour; 0 also for what is no light.
+  std::uint8_t tone(double value) const;
 };
 
 // From the values that few cells exceed, down by three powers of ten at most and one at least.
@@ -26,11 +26,11 @@ ToneScale tone_scale(std::span<const double> values);
 
 // `low` and `high` are the lower left and the upper right corner of the grid on the page.
 void draw_tones(Svg& svg, std::span<const double> values, const PlaneGrid& grid,
-                const ToneScale& scale, const style::Shading& shading, Vector low, Vector high);
+                const ToneScale& scale, const ColourMap& colours, Vector low, Vector high);
 
-// The legend: all tones side by side over an axis.
+// The legend: all colours side by side over an axis.
 inline constexpr double tone_legend_height = 36;
-void draw_tone_legend(Svg& svg, const ToneScale& scale, const style::Shading& shading,
+void draw_tone_legend(Svg& svg, const ToneScale& scale, const ColourMap& colours,
                       const Quantity& quantity, Vector top_left, double width);
 
 }  // namespace wander::figure
