@@ -13,7 +13,7 @@ namespace wander::figure {
 namespace {
 
 constexpr double header = 12, panel_gap = 7, guide_row = 9, right_room = 10, legend_gap = 3;
-constexpr double points_per_tick = 22;
+constexpr double points_per_tick = 17;
 
 struct Frame {
   ChartAxis x, y;

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/output/film_statistics.h"
 #include "tools/figure/film_panel.h"
 #include "tools/figure/legend.h"
+#include "tools/figure/scale_of_ten.h"
 #include "tools/figure/scene_inset.h"
 #include "tools/figure/style.h"
 #include "tools/wording.h"
@@ -78,6 +80,19 @@ bool has_beyond(const Trace& trace, Range values) {
   });
 }
 
+// In the power of ten that the axis takes out of its own labels.
+std::string on_scale_of(Range values, double value, const std::string& unit) {
+  constexpr double many_digits = 1e6;
+  const int exponent = common_exponent(std::max(std::abs(values.low), std::abs(values.high)));
+  const double scaled = decimal(value, -exponent);
+  if (exponent == 0 || scaled >= many_digits) return fmt::format("{:.3g} {}", value, unit);
+  const double digit = scaled < 1000 ? 1 : std::pow(10, std::floor(std::log10(scaled)) - 2);
+  const std::string digits = scaled < 1000
+                                 ? fmt::format("{:.3g}", scaled)
+                                 : fmt::format("{:.0f}", std::round(scaled / digit) * digit);
+  return fmt::format("{}·10{} {}", digits, superscript(exponent), unit);
+}
+
 double largest_value(const std::vector<Trace>& traces) {
   double largest = 0;
   for (const Trace& trace : traces)
@@ -113,8 +128,8 @@ std::vector<LegendEntry> legend_of(const std::vector<LabelledFilm>& films, const
   const auto beyond = [&](const Trace& trace) { return has_beyond(trace, content.values); };
   if (std::any_of(content.traces.begin(), content.traces.end(), beyond))
     add(draw_beyond_swatch, common,
-        fmt::format("beyond the axis, up to {:.3g} {}", largest_value(content.traces),
-                    options.axes.value.unit));
+        "beyond the axis, up to " +
+            on_scale_of(content.values, largest_value(content.traces), options.axes.value.unit));
   return entries;
 }
 

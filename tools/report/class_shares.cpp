@@ -14,7 +14,7 @@
 namespace wander::report {
 namespace {
 
-constexpr std::size_t most_classes = 9, bars_per_figure = 16;
+constexpr std::size_t most_classes = 9, bars_per_figure = 8;
 constexpr const char* rest = "all other classes";
 
 using Shares = std::map<std::string, double>;
