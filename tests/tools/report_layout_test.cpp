@@ -98,9 +98,14 @@ TEST(ReportLayout, NoFigureIsHigherThanHalfAPageOfPaper) {
 TEST(ReportLayout, PathLengthsHaveTicksWhereThereAreProposals) {
   compare::Runs runs = test::usual().runs;
   for (Rendering& details : runs.details)
-    for (MutationRecord& mutation : details.mutations)
-      std::erase_if(mutation.by_length,
-                    [](const PathsRecord& paths) { return paths.vertices < 4; });
+    for (MutationRecord& mutation : details.mutations) {
+      mutation.by_length.resize(2);
+      for (std::size_t k = 0; k < 2; ++k) {
+        mutation.by_length[k].vertices = 4 + static_cast<int>(k);
+        mutation.by_length[k].proposed = 5000;
+        mutation.by_length[k].mean_acceptance = 0.5;
+      }
+    }
   const Figure figure =
       figure_named(report_html(compare::summarize(runs)), "Mean acceptance by path length");
   EXPECT_TRUE(has_text(figure, "4"));
