@@ -176,8 +176,8 @@ double luminance(const std::string& colour) {
   return sum;
 }
 double contrast(const std::string& a, const std::string& b) {
-  const auto [low, high] = std::minmax(luminance(a), luminance(b));
-  return (high + 0.05) / (low + 0.05);
+  const double x = luminance(a), y = luminance(b);
+  return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
 }
 
 TEST(ReportLayout, TextStandsOutFromItsGround) {
