@@ -85,6 +85,15 @@ TEST(FilmFigure, OneFireflyDoesNotFlattenTheFilm) {
   EXPECT_EQ(count(svg, ">beyond the axis, up to 1e+06 W/m<"), 1u);
 }
 
+TEST(FilmFigure, WhatLiesBeyondTheAxisIsToldOnItsScale) {
+  LabelledFilm dark = film(20, 1e-7);
+  dark.rendering.film.value[4] = dark.rendering.film.standard_error[4] = 1.3912e-4;
+  dark.rendering.film.reliable[4] = false;
+  const std::string svg = film_figure({dark}, options());
+  EXPECT_GE(count(svg, ", 10⁻⁹ W/m<"), 1u);
+  EXPECT_EQ(count(svg, ">beyond the axis, up to 139000·10⁻⁹ W/m<"), 1u);
+}
+
 TEST(FilmFigure, BandsAre95PercentIntervals) {
   FilmEstimate estimate = film(1).rendering.film;
   estimate.degrees_of_freedom = 4;

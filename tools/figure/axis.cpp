@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/figure/scale_of_ten.h"
 #include "tools/figure/style.h"
 #include "tools/wording.h"
 
@@ -15,11 +16,6 @@ constexpr double tick_length = 3;
 
 double largest_magnitude(Range range) {
   return std::max(std::abs(range.low), std::abs(range.high));
-}
-
-// mantissa · 10^exponent, exact where it can be: a negative power is divided by.
-double decimal(double mantissa, int exponent) {
-  return exponent >= 0 ? mantissa * std::pow(10, exponent) : mantissa / std::pow(10, -exponent);
 }
 
 struct Step {
@@ -49,12 +45,6 @@ Step step_for(Range range, int at_most) {
   while (last_multiple(range, step) - first_multiple(range, step) + 1 > std::max(at_most, 2))
     step = step.next();
   return step;
-}
-
-// Ten to this power, a multiple of 3, is taken out of the labels.
-int common_exponent(double magnitude) {
-  if (magnitude == 0 || (magnitude >= 1e-2 && magnitude < 1e4)) return 0;
-  return 3 * static_cast<int>(std::floor(std::log10(magnitude) / 3 + 1e-9));
 }
 
 std::string with_minus_sign(std::string text) {

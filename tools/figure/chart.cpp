@@ -14,7 +14,7 @@ namespace wander::figure {
 namespace {
 
 constexpr double header = 12, panel_gap = 7, right_room = 10, legend_gap = 3;
-constexpr double points_per_tick = 22;
+constexpr double points_per_tick = 17;
 constexpr double room = 3;
 
 constexpr std::string_view extrapolated_dashes = "0.9 2.2";

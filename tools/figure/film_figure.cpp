@@ -9,6 +9,7 @@
 #include "tools/figure/block.h"
 #include "tools/figure/film_layout.h"
 #include "tools/figure/legend.h"
+#include "tools/figure/scale_of_ten.h"
 #include "tools/figure/scene_inset.h"
 #include "tools/figure/style.h"
 #include "tools/wording.h"
@@ -74,6 +75,19 @@ bool has_unreliable(const Trace& trace) {
                      [](const Bar& bar) { return bar.trust == Trust::unreliable; });
 }
 
+// In the power of ten that the axis takes out of its own labels.
+std::string on_scale_of(Range values, double value, const std::string& unit) {
+  constexpr double many_digits = 1e6;
+  const int exponent = common_exponent(std::max(std::abs(values.low), std::abs(values.high)));
+  const double scaled = decimal(value, -exponent);
+  if (exponent == 0 || scaled >= many_digits) return fmt::format("{:.3g} {}", value, unit);
+  const double digit = scaled < 1000 ? 1 : std::pow(10, std::floor(std::log10(scaled)) - 2);
+  const std::string digits = scaled < 1000
+                                 ? fmt::format("{:.3g}", scaled)
+                                 : fmt::format("{:.0f}", std::round(scaled / digit) * digit);
+  return fmt::format("{}·10{} {}", digits, superscript(exponent), unit);
+}
+
 // Of all values that are drawn; without any, nothing is beyond an axis.
 Range values_of(const std::vector<Trace>& traces) {
   Range values{INFINITY, -INFINITY};
@@ -109,13 +123,13 @@ std::vector<LegendEntry> legend_of(const std::vector<LabelledFilm>& films, const
   if (std::any_of(content.traces.begin(), content.traces.end(), has_unreliable))
     add(draw_unreliable_swatch, common, "unreliable bin");
   const Range drawn = values_of(content.traces);
-  const std::string& unit = options.axes.value.unit;
+  const auto on_scale = [&](double value) {
+    return on_scale_of(content.values, value, options.axes.value.unit);
+  };
   if (drawn.high > content.values.high)
-    add(draw_above_swatch, common,
-        fmt::format("beyond the axis, up to {:.3g} {}", drawn.high, unit));
+    add(draw_above_swatch, common, "beyond the axis, up to " + on_scale(drawn.high));
   if (drawn.low < content.values.low)
-    add(draw_below_swatch, common,
-        fmt::format("beyond the axis, down to {:.3g} {}", drawn.low, unit));
+    add(draw_below_swatch, common, "beyond the axis, down to " + on_scale(drawn.low));
   return entries;
 }
 

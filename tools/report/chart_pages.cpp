@@ -9,7 +9,8 @@
 namespace wander::report {
 namespace {
 
-constexpr std::size_t panels_per_figure = 6;
+// No higher than half a page of paper, so that pages fill.
+constexpr std::size_t panels_per_figure = 3;
 
 }  // namespace
 

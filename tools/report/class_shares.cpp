@@ -15,7 +15,7 @@
 namespace wander::report {
 namespace {
 
-constexpr std::size_t bars_per_figure = 16;
+constexpr std::size_t bars_per_figure = 8;
 using figure::most_classes;
 constexpr const char* rest = "all other classes";
 

@@ -38,6 +38,10 @@ std::string embedded(std::string_view svg_document, const std::string& prefix) {
   std::string svg = with_prefix(svg_document.substr(svg_document.find("<svg")), prefix);
   replace_first(svg, " role=\"img\"",
                 fmt::format(" role=\"img\" aria-labelledby=\"{0}-title {0}-desc\"", prefix));
+  // Lengths in an SVG are points, and so is the width that it was laid out for.
+  const auto from = svg.find(" width=\"") + 8, end = svg.find('"', from);
+  replace_first(
+      svg, " role=", fmt::format(" style=\"--own-width: {}\" role=", svg.substr(from, end - from)));
   replace_first(svg, "<title>", fmt::format("<title id=\"{}-title\">", prefix));
   replace_first(svg, "<desc>", fmt::format("<desc id=\"{}-desc\">", prefix));
   return svg;
@@ -47,7 +51,15 @@ void write_figure(Html& html, std::string_view svg_document, std::string_view ca
                   Ground ground) {
   const int number = html.next_number();
   const auto scope = html.open("figure", {{"class", ground == Ground::page ? "chart" : "picture"}});
-  html.markup(embedded(svg_document, fmt::format("figure-{}", number)));
+  {
+    // Keys scroll a figure that is wider than the screen.
+    const std::string id = fmt::format("figure-{}", number);
+    const auto view = html.open("div", {{"class", "view"},
+                                        {"role", "group"},
+                                        {"tabindex", "0"},
+                                        {"aria-labelledby", id + "-title"}});
+    html.markup(embedded(svg_document, id));
+  }
   html.element("figcaption", caption);
 }
 

@@ -12,7 +12,8 @@ namespace wander::report {
 // can stand in one page, and named by its own title and description for screen readers.
 std::string embedded(std::string_view svg_document, const std::string& prefix);
 
-// Curves take the colours of the page, dark or light; pictures stay on white paper.
+// All colours of charts follow the page, dark or light.  Pictures keep their tones and what is
+// drawn on these; axes, legends and ground follow the page.
 enum class Ground { page, paper };
 
 // The caption says what is shown and how to read it.

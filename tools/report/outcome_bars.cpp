@@ -13,8 +13,8 @@
 namespace wander::report {
 namespace {
 
-// A figure of more does not fit a page of paper.
-constexpr std::size_t bars_per_figure = 16;
+// No higher than half a page of paper, so that pages fill.
+constexpr std::size_t bars_per_figure = 8;
 
 // Outcome -> proposals.  Who is neither accepted nor failed for a reason of its own was refused by
 // the acceptance test.

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tools/figure/share_bars.h"
 #include "tools/report/bins.h"
@@ -35,7 +36,7 @@ figure::Look look_of(const std::vector<std::string>& names, const std::string& n
 
 void write_by_length(Html& html, const Subject& subject) {
   const std::vector<std::string> names = mutations_of(subject);
-  double longest = 3;
+  figure::Range lengths{INFINITY, -INFINITY};
   figure::Chart chart{.y = {.quantity = {"mean acceptance", ""}, .range = figure::Range{0, 1.02}},
                       .panel_height = 70};
   for (const std::size_t k : chain_contenders(subject)) {
@@ -48,7 +49,8 @@ void write_by_length(Html& html, const Subject& subject) {
         if (paths.proposed >= fewest_proposals) {
           series.points.push_back(
               {.x = static_cast<double>(paths.vertices), .y = paths.mean_acceptance});
-          longest = std::max(longest, series.points.back().x);
+          const double length = series.points.back().x;
+          lengths = {std::min(lengths.low, length), std::max(lengths.high, length)};
         }
       if (!series.points.empty()) panel.series.push_back(std::move(series));
     }
@@ -56,7 +58,9 @@ void write_by_length(Html& html, const Subject& subject) {
   }
   chart.x = {.quantity = {"vertices of the path, both ends counted", ""},
              .spacing = figure::Spacing::whole,
-             .range = figure::Range{1.8, longest + 0.2}};
+             .range = lengths.low > lengths.high
+                          ? figure::Range{1.5, 3.5}
+                          : figure::Range{lengths.low - 0.5, lengths.high + 0.5}};
   write_panels(
       html, chart, "Mean acceptance by path length",
       "The mean acceptance of each mutation against the number of vertices of the path.",
@@ -111,7 +115,8 @@ void write_mutations(Html& html, const Subject& subject) {
     }
   Table table = named_rows(
       "Mutations of the first replicate at the last budget. The squared jump is "
-      "the mean of a · |film(y) − film(x)|², the film being of length 1.",
+      "the mean of a · |film(y) − film(x)|², the film being of length 1. Refused in a row counts "
+      "the proposals of this mutation alone that one chain refused, one after the other.",
       "contender", names);
   table.add_column({"mutation", Kind::words}, mutations);
   table.add_column({"proposals"}, proposals);
@@ -119,7 +124,7 @@ void write_mutations(Html& html, const Subject& subject) {
   table.add_column({"accepted, %"}, aligned(accepted));
   table.add_column({"squared jump, 10⁻³"}, aligned(jump));
   table.add_column({"time per proposal, µs"}, times);
-  table.add_column({"longest run of rejections"}, runs);
+  table.add_column({"most refused in a row"}, runs);
   write_table(html, table);
 }
 

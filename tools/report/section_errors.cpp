@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "tools/compare/curves.h"
 #include "tools/compare/verdict.h"
@@ -55,6 +57,12 @@ std::string reading(const Curve& curve) {
                                        : "steeper than −1/2: a start that wears off";
 }
 
+// More digits of a slope mean nothing, however near it is to zero.
+Measured in_thousandths(const Measured& slope) {
+  const auto cut = [](double value) { return std::round(1000 * value) / 1000; };
+  return {cut(slope.value), {cut(slope.interval.low), cut(slope.interval.high)}};
+}
+
 void write_slopes(Html& html, const Subject& subject) {
   const std::vector<Curve>& curves = subject.comparison.curves;
   if (curves.empty()) return;
@@ -65,8 +73,8 @@ void write_slopes(Html& html, const Subject& subject) {
   std::vector<Measured> time, samples;
   for (const Curve& curve : curves) {
     names.push_back(subject.label(curve.contender));
-    time.push_back(curve.slope_time);
-    samples.push_back(curve.slope_samples);
+    time.push_back(in_thousandths(curve.slope_time));
+    samples.push_back(in_thousandths(curve.slope_samples));
     target.push_back(compare::time_to_target(subject.comparison, curve.contender));
     words.push_back(reading(curve));
   }
@@ -128,52 +136,65 @@ struct CellColumn {
   Measured Cell::*what;
   double unit;
 };
-constexpr CellColumn cell_columns[] = {
-    {"relative RMSE, %", &Cell::relative_rmse, 100},
-    {"median relative RMSE, %", &Cell::median_relative_rmse, 100},
-    {"RMSE, film units", &Cell::rmse, 1},
-    {"MAE, film units", &Cell::mae, 1},
-    {"relMSE", &Cell::rel_mse, 1},
-    {"bias, %", &Cell::bias, 100},
-    {"error of the mean, %", &Cell::relative_error_of_mean, 100},
-    {"efficiency, 1/s", &Cell::efficiency, 1},
-};
+constexpr std::array error_columns{
+    CellColumn{"relative RMSE, %", &Cell::relative_rmse, 100},
+    CellColumn{"median relative RMSE, %", &Cell::median_relative_rmse, 100},
+    CellColumn{"RMSE, film units", &Cell::rmse, 1}, CellColumn{"MAE, film units", &Cell::mae, 1},
+    CellColumn{"relMSE", &Cell::rel_mse, 1}};
+constexpr std::array claim_columns{
+    CellColumn{"bias, %", &Cell::bias, 100},
+    CellColumn{"error of the mean, %", &Cell::relative_error_of_mean, 100},
+    CellColumn{"efficiency, 1/s", &Cell::efficiency, 1}};
 
+std::string in_unit(const Measured& measured, double unit) {
+  return with_interval(
+      {unit * measured.value, {unit * measured.interval.low, unit * measured.interval.high}});
+}
+
+// Contender, budget, and these columns.
+Table cell_table(const Subject& subject, const std::vector<Cell>& cells, std::string caption,
+                 std::span<const CellColumn> columns) {
+  std::vector<std::string> names, budgets;
+  for (const Cell& cell : cells) {
+    names.push_back(subject.label(cell.contender));
+    budgets.push_back(subject.runs().budgets[cell.budget]);
+  }
+  Table table = named_rows(std::move(caption), "contender", names);
+  table.add_column({"budget"}, budgets);
+  for (const CellColumn& column : columns) {
+    std::vector<std::string> text;
+    for (const Cell& cell : cells) text.push_back(in_unit(cell.*column.what, column.unit));
+    table.add_column({column.heading}, text);
+  }
+  return table;
+}
+
+// Two tables: the columns of one would not fit a page of paper.
 void write_cells(Html& html, const Subject& subject) {
-  std::vector<std::string> names, budgets, coverage;
-  std::vector<double> seconds, samples, claimed;
+  std::vector<std::string> coverage, samples;
+  std::vector<double> seconds, claimed;
   std::vector<Cell> cells;
   for (const Cell& cell : subject.comparison.cells)
     if (cell.replicates > 0) cells.push_back(cell);
   if (cells.empty()) return;
   for (const Cell& cell : cells) {
-    names.push_back(subject.label(cell.contender));
-    budgets.push_back(subject.runs().budgets[cell.budget]);
     seconds.push_back(cell.seconds.value);
-    samples.push_back(cell.samples.value);
+    samples.push_back(count_in_words(cell.samples.value));
     claimed.push_back(100 * cell.claimed_relative_error);
     coverage.push_back(rounded(100 * cell.coverage));
   }
-  Table table = named_rows("Every contender at every budget. Intervals hold 95 %, over replicates.",
-                           "contender", names);
-  table.add_column({"budget"}, budgets);
-  table.add_column({"time, s"}, aligned(seconds));
-  std::vector<std::string> counts;
-  for (const double count : samples) counts.push_back(count_in_words(count));
-  table.add_column({"samples"}, counts);
-  for (const CellColumn& column : cell_columns) {
-    std::vector<std::string> text;
-    for (const Cell& cell : cells) {
-      Measured value = cell.*column.what;
-      value = {column.unit * value.value,
-               {column.unit * value.interval.low, column.unit * value.interval.high}};
-      text.push_back(with_interval(value));
-    }
-    table.add_column({column.heading}, text);
-  }
-  table.add_column({"claimed error, %"}, aligned(claimed));
-  table.add_column({"coverage, % of bins"}, coverage);
-  write_folded(html, "All measures of all cells", table);
+  write_folded(html, "The errors of all cells, in figures",
+               cell_table(subject, cells,
+                          "Every contender at every budget. Intervals hold 95 %, over replicates.",
+                          error_columns));
+  Table claims = cell_table(
+      subject, cells, "Cost, bias and claims of every contender at every budget; 95 % intervals.",
+      claim_columns);
+  claims.add_column({"time, s"}, aligned(seconds));
+  claims.add_column({"samples"}, samples);
+  claims.add_column({"claimed error, %"}, aligned(claimed));
+  claims.add_column({"coverage, % of bins"}, coverage);
+  write_folded(html, "Cost, bias and claims of all cells, in figures", claims);
 }
 
 }  // namespace

@@ -14,7 +14,8 @@
 namespace wander::report {
 namespace {
 
-constexpr std::size_t films_per_figure = 6;
+// No higher than half a page of paper, so that pages fill.
+constexpr std::size_t films_per_figure = 3;
 
 std::vector<figure::LabelledFilm> films_of(const Subject& subject) {
   std::vector<figure::LabelledFilm> films;

@@ -1,4 +1,4 @@
-// How fast chains forget: autocorrelation times, effective sample sizes, runs of rejections.
+// How fast chains forget: autocorrelation times, effective sample sizes, longest stays.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,9 +31,8 @@ bool is_measured(const FunctionalRecord& functional) {
 std::string time_in_words(const FunctionalRecord& functional, const ChainsRecord& record) {
   if (!is_measured(functional)) return unknown_number;
   const auto stride = static_cast<double>(record.stride);
-  if (record.stride > 1 && functional.autocorrelation_time <= stride)
-    return "≤ " + count_in_words(stride);
-  return count_in_words(functional.autocorrelation_time);
+  if (record.stride > 1 && functional.autocorrelation_time <= stride) return "≤ " + rounded(stride);
+  return rounded(functional.autocorrelation_time);
 }
 
 std::vector<figure::IntervalGroup> groups_of(const Subject& subject) {
@@ -103,7 +102,7 @@ void write_functionals(Html& html, const Subject& subject) {
   write_table(html, table);
 }
 
-void write_rejections(Html& html, const Subject& subject) {
+void write_stays(Html& html, const Subject& subject) {
   std::vector<std::string> names, chains, draws, strides, runs;
   for (const std::size_t k : recorded_contenders(subject)) {
     const Rendering& details = *subject.details(k);
@@ -116,12 +115,13 @@ void write_rejections(Html& html, const Subject& subject) {
   }
   Table table = named_rows(
       "The chains. Diagnostics rest on the recorded draws and do not resolve times below their "
-      "distance. A long run of rejections is a state that a chain could not leave.",
+      "distance. The longest stay is the most mutations, of any kind, that one chain made in a "
+      "row without a move; a long one is a path that the chain could not leave.",
       "contender", names);
   table.add_column({"chains in groups"}, chains);
   table.add_column({"draws recorded of each"}, draws);
   table.add_column({"mutations between draws"}, strides);
-  table.add_column({"longest run of rejections, mutations"}, runs);
+  table.add_column({"longest stay at one path, mutations"}, runs);
   write_table(html, table);
 }
 
@@ -145,7 +145,7 @@ void write_mixing(Html& html, const Subject& subject) {
   }
   write_times(html, subject);
   write_functionals(html, subject);
-  write_rejections(html, subject);
+  write_stays(html, subject);
   write_unrecorded(html, subject);
   html.element("p",
                "Not significant: autocorrelation times come from one replicate and carry no "

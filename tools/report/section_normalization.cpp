@@ -6,6 +6,7 @@
 
 #include "core/output/film_statistics.h"
 #include "tools/figure/interval_rows.h"
+#include "tools/figure/scale_of_ten.h"
 #include "tools/figure/share_bars.h"
 #include "tools/report/embedding.h"
 #include "tools/report/numbers.h"
@@ -18,7 +19,7 @@ namespace {
 
 // Beyond so many standard errors of their difference, two estimates disagree.
 constexpr double alarm = 4;
-constexpr std::size_t groups_per_figure = 8;
+constexpr std::size_t groups_per_figure = 4;
 
 std::vector<std::size_t> normalized_contenders(const Subject& subject) {
   std::vector<std::size_t> found;
@@ -37,6 +38,13 @@ std::string note_of(const Estimate& estimate) {
   return std::isfinite(estimate.value) ? with_interval(with_normal_interval(estimate)) : "failed";
 }
 
+std::string note_of(const figure::IntervalRow& row) {
+  if (!std::isfinite(row.value)) return "failed";
+  compare::Measured measured{row.value, {}};
+  if (row.interval) measured.interval = {row.interval->low, row.interval->high};
+  return with_interval(measured);
+}
+
 figure::IntervalGroup group_of(const Subject& subject, std::size_t contender) {
   const Normalization& b = *subject.details(contender)->normalization;
   figure::IntervalGroup group{subject.label(contender), {}};
@@ -45,12 +53,34 @@ figure::IntervalGroup group_of(const Subject& subject, std::size_t contender) {
     group.rows.push_back({.label = figure::spoken(name) + (name == b.method ? ", used" : ""),
                           .value = estimate.value,
                           .interval = range_of(estimate),
-                          .look = figure::look_of(k++),
-                          .note = note_of(estimate)});
+                          .look = figure::look_of(k++)});
   if (group.rows.empty())
-    group.rows.push_back(
-        {.label = "b", .value = b.value, .interval = range_of(b), .note = note_of(b)});
+    group.rows.push_back({.label = "b", .value = b.value, .interval = range_of(b)});
   return group;
+}
+
+// Rows, band and notes in one power of ten, which the axis names.
+void rescale(figure::IntervalRows& rows) {
+  double magnitude = 0;
+  const auto see = [&](double value) {
+    if (std::isfinite(value)) magnitude = std::max(magnitude, std::abs(value));
+  };
+  for (const figure::IntervalGroup& group : rows.groups)
+    for (const figure::IntervalRow& row : group.rows) see(row.value);
+  const int exponent = figure::common_exponent(magnitude);
+  const auto scaled = [&](figure::Range range) {
+    return figure::Range{figure::decimal(range.low, -exponent),
+                         figure::decimal(range.high, -exponent)};
+  };
+  for (figure::IntervalGroup& group : rows.groups)
+    for (figure::IntervalRow& row : group.rows) {
+      row.value = figure::decimal(row.value, -exponent);
+      if (row.interval) row.interval = scaled(*row.interval);
+      row.note = note_of(row);
+    }
+  if (rows.band) rows.band = scaled(*rows.band);
+  if (exponent != 0)
+    rows.x.quantity.unit = fmt::format("10{} {}", superscript(exponent), rows.x.quantity.unit);
 }
 
 // The mean of the reference, with errors of bins that are independent.
@@ -72,6 +102,7 @@ void write_estimates(Html& html, const Subject& subject) {
       rows.band = range_of(*mean);
       rows.band_label = "mean of the reference, 95 %";
     }
+    rescale(rows);
     write_figure(
         html,
         figure::page("Estimates of the normalization",

@@ -7,6 +7,9 @@
 namespace wander::report {
 namespace {
 
+// Longer tables may go on on the next page of paper.
+constexpr std::size_t most_rows_together = 12;
+
 std::string_view class_of(const Heading& heading) {
   switch (heading.kind) {
     case Kind::number:
@@ -19,13 +22,31 @@ std::string_view class_of(const Heading& heading) {
   return "words";
 }
 
+// "[0.1, 0.2]" and ", %" stay on one line.
+std::string with_whole_ends(std::string text, std::size_t from) {
+  for (auto at = text.find(", ", from); at != std::string::npos; at = text.find(", ", at))
+    text.replace(at, 2, ",\u00A0");
+  return text;
+}
+
+// A unit stays with the word before it.
+std::string heading_text(const std::string& text) {
+  const std::size_t comma = text.rfind(", ");
+  return comma == std::string::npos ? text : with_whole_ends(text, comma);
+}
+
+std::string cell_text(const std::string& text, Kind kind) {
+  return kind == Kind::words ? text : with_whole_ends(text, 0);
+}
+
 void write_row(Html& html, const Table& table, const std::vector<std::string>& row) {
   const auto scope = html.open("tr");
   for (std::size_t k = 0; k < row.size(); ++k) {
     if (k == 0)
       html.element("th", row[k], {{"scope", "row"}, {"class", class_of(table.headings[k])}});
     else
-      html.element("td", row[k], {{"class", class_of(table.headings[k])}});
+      html.element("td", cell_text(row[k], table.headings[k].kind),
+                   {{"class", class_of(table.headings[k])}});
   }
 }
 
@@ -58,13 +79,17 @@ void write_table(Html& html, const Table& table) {
   html.element("p", table.caption, {{"id", id}, {"class", "caption"}});
   // Keys scroll a table that is wider than the page.
   const auto region = html.open(
-      "div", {{"class", "table"}, {"role", "region"}, {"tabindex", "0"}, {"aria-labelledby", id}});
+      "div", {{"class", table.rows.size() <= most_rows_together ? "table short" : "table"},
+              {"role", "region"},
+              {"tabindex", "0"},
+              {"aria-labelledby", id}});
   const auto scope = html.open("table", {{"aria-labelledby", id}});
   {
     const auto head = html.open("thead");
     const auto row = html.open("tr");
     for (const Heading& heading : table.headings)
-      html.element("th", heading.text, {{"scope", "col"}, {"class", class_of(heading)}});
+      html.element("th", heading_text(heading.text),
+                   {{"scope", "col"}, {"class", class_of(heading)}});
   }
   const auto body = html.open("tbody");
   for (const auto& row : table.rows) write_row(html, table, row);
