@@ -75,8 +75,9 @@ std::optional<TimeBudget> time_in(std::string_view text) {
     const auto seconds = quantity_in(text, time_units);
     return seconds ? std::optional(TimeBudget{*seconds}) : std::nullopt;
   }
-  std::string plain(text);
-  const auto seconds = quantity_in(plain.erase(found, of_processors.size()), time_units);
+  const std::string number(text.substr(0, found)), unit(text.substr(found + of_processors.size()));
+  if (!number_in<double>(number)) return std::nullopt;
+  const auto seconds = quantity_in(number + unit, time_units);
   return seconds ? std::optional(TimeBudget{*seconds, TimeKind::processor}) : std::nullopt;
 }
 
