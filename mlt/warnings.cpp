@@ -11,7 +11,9 @@
 #include <span>
 
 #include "core/film.h"
+#include "core/number_text.h"
 #include "mlt/deposit.h"
+#include "mlt/functional_words.h"
 
 namespace wander {
 
@@ -91,8 +93,9 @@ std::string slow_mixing(const ChainsRecord& chains) {
   double worst = 1;
   for (const FunctionalRecord& f : chains.functionals) {
     if (!(f.r_hat > largest_r_hat)) continue;
-    parts.push_back(fmt::format(
-        "{} ({})", std::isinf(f.r_hat) ? "infinite" : fmt::format("{:.3f}", f.r_hat), f.name));
+    parts.push_back(fmt::format("{} ({})",
+                                std::isinf(f.r_hat) ? "infinite" : fmt::format("{:.3f}", f.r_hat),
+                                spoken_functional(f.name)));
     worst = std::max(worst, f.r_hat);
   }
   if (parts.empty()) return "";
@@ -117,7 +120,7 @@ std::string disagreeing_groups(const Evidence& evidence) {
     const Disagreement found = disagreement(evidence.draws.of(k), evidence.chains_per_group);
     if (!(found.p_value < disagreement_false_alarm) || found.ratio <= worst) continue;
     worst = found.ratio;
-    name = functional_names[k];
+    name = spoken_functional(functional_names[k]);
   }
   if (name.empty()) return "";
   return fmt::format(
@@ -127,7 +130,7 @@ std::string disagreeing_groups(const Evidence& evidence) {
       "larger budget, other mutations, or bdpt",
       name,
       std::isinf(worst) ? "from each other, and none of them changes"
-                        : fmt::format("{:.2g} times as much as each of them changes", worst));
+                        : number_text(worst, 2) + " times as much as each of them changes");
 }
 
 std::string few_groups(const MutationStatistics& statistics, std::size_t groups) {
@@ -143,9 +146,9 @@ std::string few_groups(const MutationStatistics& statistics, std::size_t groups)
   std::ranges::stable_sort(rare, std::greater(), &MutationStatistics::Visits::steps);
   std::vector<std::string> parts;
   for (const auto& visits : std::span(rare).first(std::min(rare.size(), most_named)))
-    parts.push_back(
-        fmt::format("{} ({:.2g} % of the light, {} of {} groups)", name_of_class(visits.path_class),
-                    100 * static_cast<double>(visits.steps) / steps, visits.groups, groups));
+    parts.push_back(fmt::format(
+        "{} ({} % of the light, {} of {} groups)", name_of_class(visits.path_class),
+        number_text(100 * static_cast<double>(visits.steps) / steps, 2), visits.groups, groups));
   if (rare.size() > most_named) parts.push_back(fmt::format("{} more", rare.size() - most_named));
   return fmt::format(
       "few groups of chains ever met paths of class {}: the seed pass hardly finds them, and no "

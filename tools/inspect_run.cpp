@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/number_text.h"
 #include "core/output/film_statistics.h"
 #include "core/output/run_json.h"
 #include "tools/failure.h"
@@ -32,7 +33,7 @@ ordered_json film_of(const FilmEstimate& film) {
 }
 
 std::string number(const ordered_json& value) {
-  return value.is_null() ? "unknown" : fmt::format("{:.3g}", value.get<double>());
+  return value.is_null() ? "unknown" : number_text(value.get<double>());
 }
 
 std::string share(const ordered_json& value) {

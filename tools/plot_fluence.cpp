@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/fluence.h"
+#include "core/number_text.h"
 #include "core/output/atomic_file.h"
 #include "core/output/exr.h"
 #include "core/output/version.h"
@@ -90,10 +91,11 @@ ExitCode plot_fluence(const PlotOptions& options, const Global& global) {
                                                       options.title.value_or(document.scene.name)));
   if (!global.quiet)
     print_note(
-        fmt::format("fluence: {} walks of light, {} x {} cells from ({:.6g}, {:.6g}) to "
-                    "({:.6g}, {:.6g}) m, {}{}\n",
+        fmt::format("fluence: {} walks of light, {} x {} cells from ({}, {}) to "
+                    "({}, {}) m, {}{}\n",
                     count_in_words(static_cast<double>(picture.samples)), grid.columns(),
-                    grid.rows(), grid.low().x, grid.low().y, grid.high().x, grid.high().y,
+                    grid.rows(), number_text(grid.low().x, 6), number_text(grid.low().y, 6),
+                    number_text(grid.high().x, 6), number_text(grid.high().y, 6),
                     duration_in_words(picture.seconds), picture.complete ? "" : ", interrupted"));
   if (global.json)
     print_json({{"schema", "wanderlight-plot/1"},

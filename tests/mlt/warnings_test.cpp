@@ -108,7 +108,7 @@ class Warnings : public ::testing::Test {
     seen.current.path_class = path_class;
     for (int i = 0; i < steps; ++i) group.observe(seen, runs);
   }
-  // Chains whose film coordinate is this.
+  // Chains whose position on the sensor is this.
   std::vector<std::string> warnings_of(const Draws& film) {
     std::vector<ThinnedDraws> chains(film.chains);
     ChainDraws draws;
@@ -151,14 +151,16 @@ TEST_F(Warnings, SayThatChainsShareTheirSeeds) {
 TEST_F(Warnings, SayHowMuchLongerChainsShouldBe) {
   const auto slow = warnings_of(draws_of({.phi = 0.9}, 1));
   ASSERT_EQ(slow.size(), 1u);
-  EXPECT_NE(slow[0].find("(film), above 1.01"), std::string::npos) << slow[0];
+  EXPECT_NE(slow[0].find("(position on the sensor), above 1.01"), std::string::npos) << slow[0];
   EXPECT_NE(slow[0].find("times as large would do"), std::string::npos) << slow[0];
 }
 
 TEST_F(Warnings, SayThatGroupsDisagree) {
   const auto apart = warnings_of(draws_of({.group_offset = 0.5}, 1));
   ASSERT_EQ(apart.size(), 2u);
-  EXPECT_NE(apart[1].find("the groups of chains disagree on film"), std::string::npos) << apart[1];
+  EXPECT_NE(apart[1].find("the groups of chains disagree on position on the sensor"),
+            std::string::npos)
+      << apart[1];
 }
 
 TEST_F(Warnings, SayThatGroupsDisagreeWithoutAnyChange) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/number_text.h"
 #include "core/output/film_statistics.h"
 #include "tools/figure/film_panel.h"
 #include "tools/figure/legend.h"
@@ -113,7 +114,7 @@ std::vector<LegendEntry> legend_of(const std::vector<LabelledFilm>& films, const
   const auto beyond = [&](const Trace& trace) { return has_beyond(trace, content.values); };
   if (std::any_of(content.traces.begin(), content.traces.end(), beyond))
     add(draw_beyond_swatch, common,
-        fmt::format("beyond the axis, up to {:.3g} {}", largest_value(content.traces),
+        fmt::format("beyond the axis, up to {} {}", number_text(largest_value(content.traces)),
                     options.axes.value.unit));
   return entries;
 }

@@ -87,7 +87,7 @@ std::string spoken(std::string name) {
 }
 
 std::string spoken_outcome(const std::string& outcome) {
-  return outcome == refused_word ? "refused by the acceptance test" : spoken(outcome);
+  return outcome == refused_word ? "rejected by the acceptance test" : spoken(outcome);
 }
 
 Block share_bars(std::string heading, std::vector<ShareBar> bars, std::vector<Part> parts,

@@ -48,7 +48,7 @@ std::string TrajectoryPage::paths() const {
 }
 
 std::string TrajectoryPage::trace() const {
-  return single(title_, "the film coordinate of each chain, step by step",
+  return single(title_, "the position on the sensor of each chain, step by step",
                 coordinate_trace(whole_, width(), most_chains));
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/number_text.h"
 #include "tools/figure/share_bars.h"
 #include "tools/report/embedding.h"
 #include "tools/report/numbers.h"
@@ -40,8 +41,8 @@ Bars bars_of(const Subject& subject) {
       if (mutation.proposed == 0) continue;
       const auto proposed = static_cast<double>(mutation.proposed);
       figure::ShareBar bar{fmt::format("{} of {}", figure::spoken(mutation.name), subject.label(k)),
-                           fmt::format("{} proposals, mean a {:.2g}", count_in_words(proposed),
-                                       mutation.mean_acceptance)};
+                           fmt::format("{} proposals, mean a {}", count_in_words(proposed),
+                                       number_text(mutation.mean_acceptance, 2))};
       for (const auto& [outcome, count] : outcomes_of(mutation)) {
         bar.shares[outcome] = static_cast<double>(count) / proposed;
         result.outcomes[outcome] += count;
@@ -51,7 +52,7 @@ Bars bars_of(const Subject& subject) {
   return result;
 }
 
-// Accepted, refused, and then the reasons in the order of the alphabet, the same in every figure.
+// Accepted, rejected, and then the reasons in the order of the alphabet, the same in every figure.
 std::vector<figure::Part> parts_of(const Bars& all) {
   std::vector<figure::Part> parts;
   const auto add = [&](const std::string& outcome, std::optional<std::size_t> hatch) {
@@ -80,10 +81,10 @@ void write_outcomes(Html& html, const Subject& subject) {
     write_figure(html,
                  figure::page("What became of the proposals",
                               "For each mutation the shares of proposals that were accepted, "
-                              "refused, and that failed for each reason.",
+                              "rejected, and that failed for each reason.",
                               figure_width, {block}),
                  "Each bar is all proposals of one mutation of one contender, in its first "
-                 "replicate at the last budget. Plain: accepted; slanted lines: refused by the "
+                 "replicate at the last budget. Plain: accepted; slanted lines: rejected by the "
                  "acceptance test; the other hatches: proposals that failed, by reason.");
   }
 }

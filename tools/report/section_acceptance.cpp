@@ -84,8 +84,8 @@ void write_by_bin(Html& html, const Subject& subject) {
   }
   write_panels(
       html, chart, "Mean acceptance over the film",
-      "The mean acceptance of each mutation against the position on the film.",
-      "Mean acceptance of the proposals that were made while the path met the film there. "
+      "The mean acceptance of each mutation against the position on the sensor.",
+      "Mean acceptance of the proposals that were made while the path met the sensor there. "
       "Places with fewer than 100 proposals are left out. A dip is a place that chains enter "
       "and leave seldom.");
 }
@@ -127,7 +127,7 @@ void write_mutations(Html& html, const Subject& subject) {
 
 void write_acceptance(Html& html, const Subject& subject) {
   if (chain_contenders(subject).empty()) {
-    html.element("p", "No contender is a Markov chain: nothing is proposed, accepted or refused.",
+    html.element("p", "No contender is a Markov chain: nothing is proposed, accepted or rejected.",
                  {{"class", "note"}});
     return;
   }

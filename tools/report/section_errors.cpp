@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "tools/report/embedding.h"
 #include "tools/report/error_figure.h"
 #include "tools/report/numbers.h"
@@ -78,7 +79,7 @@ std::string in_words(const Subject& subject, const Crossing& crossing) {
   const std::string &ahead = subject.label(crossing.ahead),
                     &behind = subject.label(crossing.behind);
   const std::string chance = std::isfinite(crossing.p_value)
-                                 ? fmt::format(" (p = {:.2g})", crossing.p_value)
+                                 ? fmt::format(" (p = {})", number_text(crossing.p_value, 2))
                                  : std::string();
   if (!crossing.significant)
     return fmt::format("{} and {}: not significant{}.", ahead, behind, chance);
