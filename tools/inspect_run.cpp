@@ -102,6 +102,8 @@ std::string text_of_comparison(const ordered_json& comparison) {
   if (!comparison["same_scene"].get<bool>())
     text += "  warning         the reference is of another scene file\n";
   text += fmt::format("  relative RMSE   {}\n", share(comparison["relative_rmse"]));
+  if (comparison["bins"].get<std::size_t>() == 0)
+    return text + "  bins            none is reliable in both: nothing more can be compared\n";
   text += fmt::format("  chi2 / degree   {} over {} bins reliable in both; largest |z| {}\n",
                       number(comparison["chi2_per_degree"]), comparison["bins"].get<std::size_t>(),
                       number(comparison["largest_z"]));

@@ -29,6 +29,7 @@ const std::map<std::string, std::string> not_run{
     {"tools/test", "runs this test"},
     {"tools/figure4", "takes hours"},
     {"tools/accuracy", "takes half an hour"},
+    {"tools/normalization", "takes half an hour"},
     {"build/release/bin/wander_bench", "is not part of every build"},
     {"cmake", "takes minutes"},
     {"export", "is for the shell of the reader"},
@@ -56,7 +57,7 @@ std::string without_comment(std::string line) {
 
 // Of prose: in backquotes, with what the verb is to do; `wander check` alone names the verb.
 void add_inline(const std::string& line, std::vector<Command>& commands) {
-  static const std::regex quoted("`(wander (?:-|[a-z]+ )[^`]*)`");
+  static const std::regex quoted("`(wander (?:-|[A-Za-z]+ )[^`]*)`");
   for (std::sregex_iterator it(line.begin(), line.end(), quoted), end; it != end; ++it)
     commands.push_back({(*it)[1]});
 }
@@ -118,7 +119,8 @@ std::string shortened(const std::string& line) {
   if (line.starts_with("wander check ")) return bare + " --samples 500";
   if (line.starts_with("wander render ") && line.find("--help") == std::string::npos)
     return bare + " -b 2k";
-  return bare == line ? line : bare + " -b 2k";
+  const bool computes = bare != line || line.find(" --fluence") != std::string::npos;
+  return computes ? bare + " -b 2k" : line;
 }
 
 bool is_program(const std::string& name) {
