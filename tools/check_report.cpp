@@ -159,12 +159,17 @@ bool CheckReport::passed() const {
 
 TestCounts CheckReport::counts() const {
   TestCounts counts;
-  const auto add = [&](const Decision& d) {
-    ++(d.comparisons == 0 ? counts.not_made : d.passed ? counts.passed : counts.failed);
+  const auto add = [&](Verdict verdict) {
+    ++(verdict == Verdict::untested ? counts.not_made
+       : verdict == Verdict::passed ? counts.passed
+                                    : counts.failed);
   };
   for (const KernelCheck& check : mutations)
-    for (const Part& part : parts_of(check.report, steps)) add(*part.decision);
-  for (const MethodCheck& check : methods) add(check.decision);
+    for (const Part& part : parts_of(check.report, steps))
+      add(part.decision->comparisons == 0 ? Verdict::untested
+          : part.decision->passed         ? Verdict::passed
+                                          : Verdict::failed);
+  for (const MethodCheck& check : methods) add(check.verdict);
   return counts;
 }
 
