@@ -99,12 +99,12 @@ TEST_F(Helps, UseTheWordsOfTheGlossary) {
 TEST(Glossary, FiguresUseItsWords) {
   const Words unwanted = glossary().unwanted;
   for (const char* folder : {"figure", "report"})
-    for (const auto& entry : fs::directory_iterator(source / "tools" / folder))
-      if (entry.path().extension() == ".cpp")
-        EXPECT_EQ(found_in(std::regex_replace(contents(entry.path()), std::regex(R"("\s*")"), ""),
-                           unwanted),
-                  Words{})
-            << entry.path();
+    for (const auto& entry : fs::directory_iterator(source / "tools" / folder)) {
+      if (entry.path().extension() != ".cpp") continue;
+      const std::string joined =
+          std::regex_replace(contents(entry.path()), std::regex(R"("\s*")"), "");
+      EXPECT_EQ(found_in(joined, unwanted), Words{}) << entry.path();
+    }
 }
 
 }  // namespace
