@@ -9,24 +9,41 @@ namespace wander::test {
 namespace {
 
 Decision decided(bool passed) {
-  return {.statistic = passed ? 1.0 : 1234.0, .threshold = 6, .passed = passed, .comparisons = 9};
+  Decision decision;
+  decision.passed = passed;
+  decision.statistic = passed ? 1 : 1234;
+  decision.threshold = 6;
+  decision.comparisons = 9;
+  return decision;
 }
-const Decision undecided{.comparisons = 0};
+
+Decision undecided() {
+  Decision decision;
+  decision.comparisons = 0;
+  return decision;
+}
 
 CheckReport report_of(bool flux_passes) {
   InvarianceReport lens;
   lens.one_step = decided(true);
-  lens.many_steps = undecided;
+  lens.many_steps = undecided();
   lens.flux = decided(flux_passes);
   lens.starts = 500;
   lens.acted = lens.moved = 40;
-  return {.samples = 1000,
-          .steps = 20,
-          .false_alarm = 1e-6,
-          .mutations = {{"lens", lens}},
-          .methods = {
-              {.method = "pt", .verdict = Verdict::passed, .decision = decided(true), .bins = 12},
-              {.method = "lt", .reason = "it sees nothing"}}};
+  MethodCheck pt, lt;
+  pt.method = "pt";
+  pt.verdict = Verdict::passed;
+  pt.decision = decided(true);
+  pt.bins = 12;
+  lt.method = "lt";
+  lt.reason = "it sees nothing";
+  CheckReport report;
+  report.samples = 1000;
+  report.steps = 20;
+  report.false_alarm = 1e-6;
+  report.mutations = {{"lens", lens}};
+  report.methods = {pt, lt};
+  return report;
 }
 
 TEST(CheckReport, CountsWhatCouldNotBeTestedAndSaysWhy) {

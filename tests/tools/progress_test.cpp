@@ -32,8 +32,11 @@ TEST(Progress, PrintsALineAtEachPart) {
 }
 
 TEST(Progress, IsSilentWhenToldSo) {
-  EXPECT_EQ(said({.quiet = true}, Lines::of_each_phase, seven_seconds), "");
-  EXPECT_EQ(said({.progress = ProgressMode::none}, Lines::of_each_phase, seven_seconds), "");
+  Global quiet, mute;
+  quiet.quiet = true;
+  mute.progress = ProgressMode::none;
+  EXPECT_EQ(said(quiet, Lines::of_each_phase, seven_seconds), "");
+  EXPECT_EQ(said(mute, Lines::of_each_phase, seven_seconds), "");
 }
 
 }  // namespace
