@@ -99,7 +99,7 @@ class Placeholders {
   std::string filled(std::string line) {
     static const std::vector<std::pair<std::regex, std::string>> words{
         {std::regex(R"(\bSCENE\b)"), "gallery:slit"}, {std::regex(R"(\bMETHOD\b)"), "bdpt"},
-        {std::regex(R"(\bM1,M2\b)"), "bdpt,mlt"},     {std::regex(R"(\bRUN\b…?)"), "a-run"},
+        {std::regex(R"(\bM1,M2\b)"), "bdpt,mlt"},     {std::regex(R"(\bRUN\b(…)?)"), "a-run"},
         {std::regex(R"(\bVERB\b)"), "render"},        {std::regex(R"(\bNAME\b)"), "slit"}};
     for (const auto& [word, meaning] : words) line = std::regex_replace(line, word, meaning);
     const std::string number = std::to_string(++count_);
@@ -145,10 +145,11 @@ Faults faults_of(const std::string& line, const std::string& document) {
             "nothing builds it");
   } else if (program.find('/') != std::string::npos) {
     require(fs::exists(source / program), "no such file");
-    static const std::regex option(" '?(--[a-z0-9-]+)");
-    for (std::sregex_iterator it(line.begin(), line.end(), option), end; it != end; ++it)
-      require(contents(source / program).find((*it)[1]) != std::string::npos ||
-                  line.find("'" + (*it)[1].str()) != std::string::npos,
+    // What is quoted is for another program.
+    const std::string own = std::regex_replace(line, std::regex("'[^']*'"), "");
+    static const std::regex option(" (--[a-z0-9-]+)");
+    for (std::sregex_iterator it(own.begin(), own.end(), option), end; it != end; ++it)
+      require(contents(source / program).find((*it)[1]) != std::string::npos,
               "no " + (*it)[1].str());
   } else if (program == "cmake") {
     static const std::regex preset("--preset ([a-z]+)"), target("--target ([a-z_]+)");
