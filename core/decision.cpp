@@ -8,6 +8,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/number_text.h"
+
 namespace wander {
 
 Moments::Moments(std::span<const double> values) {
@@ -98,6 +100,14 @@ Decision largest_z_test(std::span<const double> z, double false_alarm) {
   return d;
 }
 
+namespace {
+
+std::string text_of(const Measurement& m) {
+  return fmt::format("{} ± {}", number_text(m.value, 6), number_text(m.standard_error, 2));
+}
+
+}  // namespace
+
 Decision welch_tests(std::span<const Measurement> a, std::span<const Measurement> b,
                      double false_alarm) {
   require_family(a.size(), b.size());
@@ -116,8 +126,7 @@ Decision welch_tests(std::span<const Measurement> a, std::span<const Measurement
     d.threshold = student_threshold(rate, w.degrees);
   }
   d.passed = d.p_value >= rate;
-  d.detail = fmt::format("there {:.6g} ± {:.2g} against {:.6g} ± {:.2g}", a[d.worst].value,
-                         a[d.worst].standard_error, b[d.worst].value, b[d.worst].standard_error);
+  d.detail = fmt::format("there {} against {}", text_of(a[d.worst]), text_of(b[d.worst]));
   return d;
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/number_text.h"
 #include "mlt/normalization.h"
 
 namespace wander {
@@ -58,13 +59,14 @@ std::string disagreement_of_constants(std::span<const GroupFindings> groups,
     const double by_chains = bridge.b.value * part.chains / total.chains;
     if (std::abs(by_chains - by_seeds) <= largest) continue;
     largest = std::abs(by_chains - by_seeds);
-    worst = fmt::format("{} ({:.3g} by the seed pass, {:.3g} by the chains)", name, by_seeds,
-                        by_chains);
+    worst = fmt::format("{} ({} by the seed pass, {} by the chains)", name, number_text(by_seeds),
+                        number_text(by_chains));
   }
   return fmt::format(
-      "the estimates of b contradict each other: {:.4g} by bridge sampling, {:.4g} by the mean of "
+      "the estimates of b contradict each other: {} by bridge sampling, {} by the mean of "
       "the seed pass, {:.1f} standard errors apart, most of it in paths {}; {}",
-      bridge.b.value, seeds.b.value, std::abs(difference) / error, worst,
+      number_text(bridge.b.value, 4), number_text(seeds.b.value, 4), std::abs(difference) / error,
+      worst,
       difference < 0
           ? "the chains have missed light that the seed pass found: believe neither, and "
             "take other mutations or a larger budget"

@@ -11,9 +11,11 @@
 #include <span>
 
 #include "core/film.h"
+#include "core/number_text.h"
 #include "core/run.h"
 #include "mlt/chain_settings.h"
 #include "mlt/deposit.h"
+#include "mlt/functional_words.h"
 
 namespace wander {
 
@@ -101,16 +103,16 @@ std::string remedy(double factor, std::size_t chains_per_group) {
   return fmt::format("{}a budget {} times as large would do", fewer, times(factor / most));
 }
 
-// Of the place on the film alone: what else is slow, and tells on the film, tells there.  R̂² - 1
-// falls with the length of the chains.
+// Of the position on the sensor alone: what else is slow, and tells on the film, tells there.  R̂² -
+// 1 falls with the length of the chains.
 std::string slow_mixing(const Evidence& evidence) {
   const auto& functionals = evidence.chains.functionals;
   const auto film = std::ranges::find(functionals, "film", &FunctionalRecord::name);
   if (film == functionals.end() || !(film->r_hat > largest_r_hat)) return "";
   const double factor = (film->r_hat * film->r_hat - 1) / (largest_r_hat * largest_r_hat - 1);
   return fmt::format(
-      "the chains of about {} mutations are short for their mixing: R-hat of their place on the "
-      "film is {}, above {}; the error bars know that, but the effective sample sizes are rough; "
+      "the chains of about {} mutations are short for their mixing: R-hat of their position on the "
+      "sensor is {}, above {}; the error bars know that, but the effective sample sizes are rough; "
       "{}",
       evidence.chains.draws * evidence.chains.stride,
       std::isinf(film->r_hat) ? "infinite" : fmt::format("{:.3f}", film->r_hat), largest_r_hat,
@@ -130,7 +132,7 @@ std::string disagreeing_groups(const Evidence& evidence) {
     const Disagreement& found = all[k];
     if (!(found.p_value < disagreement_false_alarm) || found.ratio <= worst) continue;
     worst = found.ratio;
-    name = functional_names[k];
+    name = spoken_functional(functional_names[k]);
   }
   if (name.empty()) return "";
   return fmt::format(
@@ -140,7 +142,7 @@ std::string disagreeing_groups(const Evidence& evidence) {
       "larger budget, other mutations, or bdpt",
       name,
       std::isinf(worst) ? "from each other, and none of them changes"
-                        : fmt::format("{:.2g} times as much as each of them changes", worst));
+                        : number_text(worst, 2) + " times as much as each of them changes");
 }
 
 std::string few_groups(const MutationStatistics& statistics, std::size_t groups) {
@@ -156,9 +158,9 @@ std::string few_groups(const MutationStatistics& statistics, std::size_t groups)
   std::ranges::stable_sort(rare, std::greater(), &MutationStatistics::Visits::steps);
   std::vector<std::string> parts;
   for (const auto& visits : std::span(rare).first(std::min(rare.size(), most_named)))
-    parts.push_back(
-        fmt::format("{} ({:.2g} % of the light, {} of {} groups)", name_of_class(visits.path_class),
-                    100 * static_cast<double>(visits.steps) / steps, visits.groups, groups));
+    parts.push_back(fmt::format(
+        "{} ({} % of the light, {} of {} groups)", name_of_class(visits.path_class),
+        number_text(100 * static_cast<double>(visits.steps) / steps, 2), visits.groups, groups));
   if (rare.size() > most_named) parts.push_back(fmt::format("{} more", rare.size() - most_named));
   return fmt::format(
       "few groups of chains ever met paths of class {}: the seed pass hardly finds them, and no "

@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -43,26 +44,49 @@ std::uint64_t parse_samples(std::string_view text) {
       fmt::format("--samples '{}': allowed is a number of samples (200000, 200k, 2M)", text));
 }
 
-// Shows how many of the parts are done, and ends the command when it is interrupted.
+// Says which of the parts is being made, and ends the command when it is interrupted.
 class Parts {
  public:
-  Parts(const Session& session, const Run& run, std::size_t count)
-      : session_(session), run_(run), count_(static_cast<double>(count)) {}
+  Parts(const Session& session, const Run& run, std::vector<std::string> names)
+      : session_(session), run_(run), names_(std::move(names)) {
+    say();
+  }
 
   void done(std::uint64_t samples) {
     if (run_.is_interrupted())
       throw CommandFailure(ExitCode::interrupted, "interrupted before the check was complete");
     samples_ += samples;
-    done_ += 1;
-    if (session_.report) session_.report({done_ / count_, samples_, run_.seconds(), "checking"});
+    ++done_;
+    say();
   }
 
  private:
+  void say() const {
+    if (!session_.report) return;
+    const std::string& name = names_[std::min(done_, names_.size() - 1)];
+    session_.report({static_cast<double>(done_) / static_cast<double>(names_.size()), samples_,
+                     run_.seconds(), name.c_str()});
+  }
+
   const Session& session_;
   const Run& run_;
-  double count_, done_ = 0;
+  std::vector<std::string> names_;
+  std::size_t done_ = 0;
   std::uint64_t samples_ = 0;
 };
+
+// In the order in which they are made.
+std::vector<std::string> names_of_parts(const Family& family) {
+  const std::vector<std::size_t> mutations = selectable(family);
+  std::vector<std::string> names;
+  for (const std::size_t i : mutations)
+    names.push_back(fmt::format("mutation {}", Family::names[i]));
+  if (mutations.size() > 1) names.emplace_back("the mixture of the mutations");
+  names.push_back(fmt::format("film by {}, the reference", reference_method));
+  for (const std::string_view method : checked_methods())
+    names.push_back(fmt::format("film by {}", method));
+  return names;
+}
 
 CheckReport check(const SceneDocument& document, const CheckOptions& options,
                   const Session& session) {
@@ -79,7 +103,7 @@ CheckReport check(const SceneDocument& document, const CheckOptions& options,
                      .steps = steps,
                      .false_alarm = false_alarm_of_all};
   const Run run(session);
-  Parts parts(session, run, kernels + methods + 1);
+  Parts parts(session, run, names_of_parts(family));
   const auto check_mutations = dials.precision == Precision::of_float
                                    ? &check_family<FlatlandSingle>
                                    : &check_family<Flatland>;
@@ -125,7 +149,7 @@ ExitCode check_scene(const CheckOptions& options, const Global& global) {
                           .seed = global.seed,
                           .threads = global.threads,
                           .interrupted = &watch_for_interruption(),
-                          .report = progress.reporter()};
+                          .report = progress.reporter(Lines::of_each_phase)};
     report = check(document, options, session);
   }
   if (global.json)
@@ -151,7 +175,8 @@ void add_check(CLI::App& app, Global& global) {
   add_global_options(*verb, global);
   verb->footer(
       "\nEach mutation, and their mixture, starts from weighted independent paths and makes 1 and "
-      "20\nsteps; films are compared bin by bin.  Exit code 4 when anything fails.\n\n"
+      "20\nsteps; films are compared bin by bin.  Exit code 4 when a test fails; what could not be "
+      "tested is\nlisted with the reason.\n\n"
       "Example:\n  wander check scene.json --samples 1M");
   examine_with(*verb, global, [options, &global](Examination& examination) {
     examine(*options, global, examination);

@@ -1,12 +1,14 @@
 #include "tools/check_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/number_text.h"
 #include "tools/wording.h"
 
 namespace wander {
@@ -68,9 +70,9 @@ std::string words_of(const KernelCheck& check, int steps, std::uint64_t samples)
   const Part& worst = worst_of(parts);
   const Decision& d = *worst.decision;
   if (verdict == Verdict::failed)
-    return fmt::format(
-        "DOES NOT leave the target invariant: {} |z| is {:.3g}, threshold {:.1f}, in {}",
-        worst.words, std::abs(d.statistic), d.threshold, worst.name(d.worst));
+    return fmt::format("DOES NOT leave the target invariant: {} |z| is {}, threshold {:.1f}, in {}",
+                       worst.words, number_text(std::abs(d.statistic)), d.threshold,
+                       worst.name(d.worst));
   std::size_t comparisons = 0;
   for (const Part& part : parts) comparisons += part.decision->comparisons;
   return fmt::format(
@@ -84,10 +86,14 @@ std::string words_of(const MethodCheck& check) {
   if (check.verdict == Verdict::untested) return "not compared: " + check.reason;
   const Decision& d = check.decision;
   if (check.verdict == Verdict::failed)
-    return fmt::format("DISAGREES with {} in bin {}: |t| is {:.3g}, threshold {:.1f}; {}",
-                       reference_method, d.worst, std::abs(d.statistic), d.threshold, d.detail);
-  return fmt::format("agrees with {} (largest |t| {:.1f} of {} reliable bins, threshold {:.1f})",
-                     reference_method, std::abs(d.statistic), d.comparisons, d.threshold);
+    return fmt::format("DISAGREES with {} in bin {}: |t| is {}, threshold {:.1f}; {}",
+                       reference_method, d.worst, number_text(std::abs(d.statistic)), d.threshold,
+                       d.detail);
+  const std::string others = d.comparisons < check.bins
+                                 ? fmt::format(", the other {} are not", check.bins - d.comparisons)
+                                 : std::string();
+  return fmt::format("agrees with {} (largest |t| {:.1f} of {} reliable bins{}, threshold {:.1f})",
+                     reference_method, std::abs(d.statistic), d.comparisons, others, d.threshold);
 }
 
 ordered_json json_of(const Decision& d) {
@@ -121,14 +127,26 @@ ordered_json json_of(const MethodCheck& check) {
   return json;
 }
 
-const char* outcome(const CheckReport& report) {
-  if (!report.passed()) return "FAILED";
-  const bool tested =
-      std::ranges::any_of(report.mutations,
-                          [](const auto& m) { return verdict_of(m.report) == Verdict::passed; }) ||
-      std::ranges::any_of(report.methods,
-                          [](const auto& m) { return m.verdict == Verdict::passed; });
-  return tested ? "nothing failed" : "nothing failed, for nothing could be tested";
+std::vector<std::string> not_tested_of(const KernelCheck& check, int steps) {
+  std::vector<std::string> tests;
+  for (const Part& part : parts_of(check.report, steps))
+    if (part.decision->comparisons == 0) tests.push_back(part.words);
+  return tests;
+}
+
+std::string outcome(const CheckReport& report) {
+  const TestCounts counts = report.counts();
+  const char* lead = !report.passed()                     ? "FAILED: "
+                     : counts.passed + counts.failed == 0 ? "nothing could be tested: "
+                                                          : "";
+  std::string text =
+      fmt::format("{}{} test{} passed, {} failed, {} could not be made", lead, counts.passed,
+                  counts.passed == 1 ? "" : "s", counts.failed, counts.not_made);
+  text += counts.not_made > 0 ? ":\n" : "\n";
+  for (const NotTested& missing : report.not_tested())
+    text +=
+        fmt::format("  {}, {}: {}\n", missing.name, fmt::join(missing.tests, ", "), missing.reason);
+  return text;
 }
 
 }  // namespace
@@ -137,6 +155,33 @@ bool CheckReport::passed() const {
   return std::ranges::none_of(
              mutations, [](const auto& m) { return verdict_of(m.report) == Verdict::failed; }) &&
          std::ranges::none_of(methods, [](const auto& m) { return m.verdict == Verdict::failed; });
+}
+
+TestCounts CheckReport::counts() const {
+  TestCounts counts;
+  const auto add = [&](Verdict verdict) {
+    ++(verdict == Verdict::untested ? counts.not_made
+       : verdict == Verdict::passed ? counts.passed
+                                    : counts.failed);
+  };
+  for (const KernelCheck& check : mutations)
+    for (const Part& part : parts_of(check.report, steps))
+      add(part.decision->comparisons == 0 ? Verdict::untested
+          : part.decision->passed         ? Verdict::passed
+                                          : Verdict::failed);
+  for (const MethodCheck& check : methods) add(check.verdict);
+  return counts;
+}
+
+std::vector<NotTested> CheckReport::not_tested() const {
+  std::vector<NotTested> all;
+  for (const KernelCheck& check : mutations)
+    if (auto tests = not_tested_of(check, steps); !tests.empty())
+      all.push_back({check.name, std::move(tests), reason_untested(check.report)});
+  for (const MethodCheck& check : methods)
+    if (check.verdict == Verdict::untested)
+      all.push_back({check.method, {fmt::format("against {}", reference_method)}, check.reason});
+  return all;
 }
 
 std::string text_of(const CheckReport& report) {
@@ -149,14 +194,20 @@ std::string text_of(const CheckReport& report) {
   text += "methods\n";
   for (const MethodCheck& check : report.methods)
     text += fmt::format("  {:<{}}  {}\n", check.method, width, words_of(check));
-  return text + fmt::format("{}; a correct program fails with a probability of {:.0e}\n",
-                            outcome(report), report.false_alarm);
+  return text + outcome(report) +
+         fmt::format("a correct program fails with a probability of {}\n",
+                     number_text(report.false_alarm, 1));
 }
 
 ordered_json json_of(const CheckReport& report) {
   ordered_json mutations = ordered_json::array(), methods = ordered_json::array();
   for (const KernelCheck& check : report.mutations) mutations.push_back(json_of(check, report));
   for (const MethodCheck& check : report.methods) methods.push_back(json_of(check));
+  const TestCounts counts = report.counts();
+  ordered_json not_tested = ordered_json::array();
+  for (const NotTested& missing : report.not_tested())
+    not_tested.push_back(
+        {{"name", missing.name}, {"tests", missing.tests}, {"reason", missing.reason}});
   return {{"schema", "wanderlight-check/1"},
           {"scene", {{"name", report.scene_name}, {"sha256", report.scene_sha256}}},
           {"samples", report.samples},
@@ -164,6 +215,11 @@ ordered_json json_of(const CheckReport& report) {
           {"seed", report.seed},
           {"false_alarm", report.false_alarm},
           {"passed", report.passed()},
+          {"tests",
+           {{"passed", counts.passed},
+            {"failed", counts.failed},
+            {"could_not_be_made", counts.not_made}}},
+          {"not_tested", std::move(not_tested)},
           {"mutations", std::move(mutations)},
           {"methods", std::move(methods)}};
 }

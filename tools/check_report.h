@@ -10,6 +10,18 @@
 
 namespace wander {
 
+// How many decisions there were; a mutation is decided three times, a film once.
+struct TestCounts {
+  std::size_t passed = 0, failed = 0, not_made = 0;
+};
+
+// Tests of one mutation or method that had nothing to decide upon.
+struct NotTested {
+  std::string name;
+  std::vector<std::string> tests;  // "after one step"
+  std::string reason;
+};
+
 struct CheckReport {
   std::string scene_name{}, scene_sha256{};
   std::uint64_t samples = 0, method_samples = 0, seed = 1;
@@ -19,6 +31,8 @@ struct CheckReport {
   std::vector<MethodCheck> methods{};
 
   bool passed() const;
+  TestCounts counts() const;
+  std::vector<NotTested> not_tested() const;
 };
 
 std::string text_of(const CheckReport& report);

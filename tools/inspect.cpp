@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "core/number_text.h"
 #include "core/output/exr.h"
 #include "core/output/run_json.h"
 #include "core/output/trajectory_netcdf.h"
@@ -32,8 +33,9 @@ void add_window(const InspectOptions& options, nlohmann::ordered_json& document,
   const std::optional<PlaneWindow> window = read_window(options.file);
   if (!window) return;
   document["window"] = {{"low", window->low}, {"high", window->high}};
-  text += fmt::format("  window          ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m\n", window->low[0],
-                      window->low[1], window->high[0], window->high[1]);
+  text += fmt::format("  window          ({}, {}) to ({}, {}) m\n", number_text(window->low[0], 6),
+                      number_text(window->low[1], 6), number_text(window->high[0], 6),
+                      number_text(window->high[1], 6));
 }
 
 ExitCode show_run(const RunRecord& run, const InspectOptions& options, const Global& global) {

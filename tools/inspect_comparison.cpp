@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/number_text.h"
 #include "core/output/film_statistics.h"
 #include "tools/compare/comparison_json.h"
 #include "tools/compare/verdict.h"
@@ -44,7 +45,7 @@ std::string crossings_of(const Comparison& comparison) {
   std::string text;
   for (const compare::Crossing& c : comparison.crossings) {
     const std::string chance =
-        std::isfinite(c.p_value) ? fmt::format(", p = {:.2g}", c.p_value) : "";
+        std::isfinite(c.p_value) ? fmt::format(", p = {}", number_text(c.p_value, 2)) : "";
     text += fmt::format("  {}{}\n", compare::standing(comparison, c), chance);
   }
   return text;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/number_text.h"
 #include "core/output/film_statistics.h"
 #include "core/output/run_json.h"
 #include "tools/failure.h"
@@ -33,7 +34,7 @@ ordered_json film_of(const FilmEstimate& film) {
 }
 
 std::string number(const ordered_json& value) {
-  return value.is_null() ? "unknown" : fmt::format("{:.3g}", value.get<double>());
+  return value.is_null() ? "unknown" : number_text(value.get<double>());
 }
 
 std::string share(const ordered_json& value) {
@@ -114,6 +115,8 @@ std::string text_of_comparison(const ordered_json& comparison) {
   if (!comparison["same_scene"].get<bool>())
     text += "  warning         the reference is of another scene file\n";
   text += fmt::format("  relative RMSE   {}\n", share(comparison["relative_rmse"]));
+  if (comparison["bins"].get<std::size_t>() == 0)
+    return text + "  bins            none is reliable in both: nothing more can be compared\n";
   text += fmt::format("  chi2 / degree   {} over {} bins reliable in both; largest |z| {}\n",
                       number(comparison["chi2_per_degree"]), comparison["bins"].get<std::size_t>(),
                       number(comparison["largest_z"]));

@@ -38,7 +38,8 @@ MethodCheck compare_films(std::string method, const FilmEstimate& film,
   decision.worst = bins[decision.worst];
   return {.method = std::move(method),
           .verdict = decision.passed ? Verdict::passed : Verdict::failed,
-          .decision = decision};
+          .decision = decision,
+          .bins = film.value.size()};
 }
 
 std::vector<MethodCheck> check_methods(const description::Scene& scene, const Dials& dials,

@@ -22,6 +22,7 @@ struct MethodCheck {
   Verdict verdict = Verdict::untested;
   std::string reason{};  // why it is untested
   Decision decision{};
+  std::size_t bins = 0;  // of the film; the decision compares the reliable ones
 };
 
 // The methods that are held against the reference; mlt among them.

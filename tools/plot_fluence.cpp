@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/fluence.h"
+#include "core/number_text.h"
+#include "core/output/atomic_file.h"
 #include "core/output/exr.h"
 #include "tools/console.h"
 #include "tools/failure.h"
@@ -88,10 +90,11 @@ ExitCode plot_fluence(const PlotOptions& options, const Global& global) {
     write_file(global.out, image(document, grid, picture, global));
   if (!global.quiet)
     print_note(
-        fmt::format("fluence: {} walks of light, {} x {} cells from ({:.6g}, {:.6g}) to "
-                    "({:.6g}, {:.6g}) m, {}{}\n",
+        fmt::format("fluence: {} walks of light, {} x {} cells from ({}, {}) to "
+                    "({}, {}) m, {}{}\n",
                     count_in_words(static_cast<double>(picture.samples)), grid.columns(),
-                    grid.rows(), grid.low().x, grid.low().y, grid.high().x, grid.high().y,
+                    grid.rows(), number_text(grid.low().x, 6), number_text(grid.low().y, 6),
+                    number_text(grid.high().x, 6), number_text(grid.high().y, 6),
                     duration_in_words(picture.seconds), picture.complete ? "" : ", interrupted"));
   if (global.json)
     print_json({{"schema", "wanderlight-plot/1"},

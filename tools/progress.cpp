@@ -14,6 +14,7 @@ namespace wander {
 namespace {
 
 constexpr double seconds_between_draws = 0.1;
+constexpr double seconds_between_lines = 5;
 const std::string erase_line = "\r\x1b[K";
 
 double rate_of(const ProgressReport& report) {
@@ -39,18 +40,32 @@ Progress::Display Progress::display_for(const Global& global) {
     case ProgressMode::automatic:
       break;
   }
-  return stderr_is_terminal() && !global.quiet ? Display::bar : Display::none;
+  if (global.quiet) return Display::none;
+  return stderr_is_terminal() ? Display::bar : Display::lines;
 }
 
-std::function<void(const ProgressReport&)> Progress::reporter() {
+std::function<void(const ProgressReport&)> Progress::reporter(Lines lines) {
   if (display_ == Display::none) return {};
   if (display_ == Display::json)
     return [](const ProgressReport& report) { print_note(json_line_of(report) + "\n"); };
-  return [this](const ProgressReport& report) {
-    if (last_drawn_ >= 0 && report.seconds - last_drawn_ < seconds_between_draws) return;
-    last_drawn_ = report.seconds;
-    print_note(erase_line + bar_of(report));
-  };
+  if (display_ == Display::lines)
+    return [this, lines](const ProgressReport& report) { print_line(report, lines); };
+  return [this](const ProgressReport& report) { draw_bar(report); };
+}
+
+void Progress::draw_bar(const ProgressReport& report) {
+  if (last_drawn_ >= 0 && report.seconds - last_drawn_ < seconds_between_draws) return;
+  last_drawn_ = report.seconds;
+  print_note(erase_line + bar_of(report));
+}
+
+void Progress::print_line(const ProgressReport& report, Lines lines) {
+  const bool is_due = report.seconds - std::max(last_drawn_, 0.0) >= seconds_between_lines;
+  const bool is_new = lines == Lines::of_each_phase && report.phase != last_phase_;
+  if (!is_due && !is_new) return;
+  last_drawn_ = report.seconds;
+  last_phase_ = report.phase;
+  print_note(line_of(report) + "\n");
 }
 
 void Progress::say(const std::string& line) {
@@ -62,8 +77,12 @@ std::string bar_of(const ProgressReport& report) {
   constexpr int width = 30;
   const double fraction = std::clamp(report.fraction, 0.0, 1.0);
   const int full = static_cast<int>(std::floor(fraction * width));
-  std::string line = fmt::format("[{:#<{}}{:.<{}}] {:3.0f} %  {}", "", full, "", width - full,
-                                 std::floor(100 * fraction), report.phase);
+  return fmt::format("[{:#<{}}{:.<{}}] {}", "", full, "", width - full, line_of(report));
+}
+
+std::string line_of(const ProgressReport& report) {
+  const double fraction = std::clamp(report.fraction, 0.0, 1.0);
+  std::string line = fmt::format("{:3.0f} %  {}", std::floor(100 * fraction), report.phase);
   if (const double rate = rate_of(report); rate > 0)
     line += fmt::format("  {}/s", count_in_words(rate));
   if (fraction > 0)

@@ -33,7 +33,7 @@ std::string_view name_of(Event event) {
 
 void add_path(std::string& text, const char* name, const ReplayedPath& path) {
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "\npath {}: {}, at {:.9g} of the film\n", name, path.path_class,
+  fmt::format_to(out, "\npath {}: {}, at {:.9g} of the sensor\n", name, path.path_class,
                  fmt::join(path.film, ", "));
   fmt::format_to(out, "  {:>6}  {:<12}  {:>14}  {:>14}  {:>14}  {:>14}  {}\n", "vertex", "event",
                  "value", "G to next", "p from light", "p from sensor", "position");
@@ -69,7 +69,7 @@ void add_ratio(std::string& text, const Replay& replay) {
   const auto out = std::back_inserter(text);
   fmt::format_to(out, "  {:<22}  {:>16.10g}\n", "a = min(1, ratio)", replay.acceptance);
   fmt::format_to(out, "  {:<22}  {:>16.10g}  {}\n", "uniform number", p.decider,
-                 replay.reason == Reason::none ? "below a: accepted" : "not below a: refused");
+                 replay.reason == Reason::none ? "below a: accepted" : "not below a: rejected");
 }
 
 // ---- JSON
@@ -103,7 +103,7 @@ std::string text_of_replay(const Replay& replay) {
   std::string text = fmt::format(
       "chain {}, step {}: {}, {}\n", replay.chain, replay.step, replay.mutation,
       replay.reason == Reason::none ? "accepted"
-                                    : fmt::format("refused: {}", name_of(replay.reason)));
+                                    : fmt::format("rejected: {}", name_of(replay.reason)));
   add_path(text, "x", replay.x);
   if (!replay.proposal) return text + "\nno path was proposed, so the state stays as it is\n";
   add_path(text, "y", replay.proposal->y);

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/number_text.h"
 #include "core/output/film_statistics.h"
+#include "mlt/functional_words.h"
 #include "tools/reference_name.h"
 #include "tools/wording.h"
 
@@ -36,12 +38,12 @@ std::string work_line(const Rendering& rendering) {
 std::string film_lines(const FilmEstimate& film) {
   if (film.value.empty())
     return fmt::format("  film            {} pixels\n", fmt::join(film.shape, " x "));
-  std::string text = fmt::format("  film            {} bins, mean {:.6g}\n",
-                                 fmt::join(film.shape, " x "), mean_value(film));
+  std::string text = fmt::format("  film            {} bins, mean {}\n",
+                                 fmt::join(film.shape, " x "), number_text(mean_value(film), 6));
   text += fmt::format("  relative error  {}\n", percent(relative_error(film)));
   text += fmt::format("  reliable        {} of {} bins", reliable_bins(film), film.value.size());
   if (std::isfinite(film.degrees_of_freedom))
-    text += fmt::format(" ({:.4g} degrees of freedom)", film.degrees_of_freedom);
+    text += fmt::format(" ({} degrees of freedom)", number_text(film.degrees_of_freedom, 4));
   return text + '\n';
 }
 
@@ -59,12 +61,12 @@ std::string number(double x, const char* unit) {
 
 // What is the same in all states has no diagnostics.
 std::string chain_lines(const ChainsRecord& chains, double seconds) {
-  std::string text = fmt::format("  {:<15} {:>10} {:>11} {:>9} {:>10}  autocorrelation\n", "chains",
+  std::string text = fmt::format("  {:<24} {:>7} {:>9} {:>9} {:>10}  autocorrelation\n", "chains",
                                  "R-hat", "ESS bulk", "tail", "ESS/s");
   for (const FunctionalRecord& f : chains.functionals) {
     if (std::isnan(f.r_hat) && std::isnan(f.ess_bulk)) continue;
     text +=
-        fmt::format("    {:<13} {:>10} {:>11} {:>9} {:>10}  {}\n", f.name,
+        fmt::format("    {:<22} {:>7} {:>9} {:>9} {:>10}  {}\n", spoken_functional(f.name),
                     std::isnan(f.r_hat) ? "-" : fmt::format("{:.3f}", f.r_hat),
                     number(f.ess_bulk, ""), number(f.ess_tail, ""),
                     number(f.ess_bulk / seconds, ""), number(f.autocorrelation_time, " mutations"));
@@ -92,7 +94,7 @@ std::string refusals(const MutationRecord& mutation) {
 
 std::string mutation_lines(const std::vector<MutationRecord>& mutations) {
   std::string text =
-      fmt::format("  {:<15} {:>10} {:>11}  refused for\n", "mutation", "proposed", "acceptance");
+      fmt::format("  {:<15} {:>10} {:>11}  rejected for\n", "mutation", "proposed", "acceptance");
   for (const MutationRecord& mutation : mutations)
     text += fmt::format("    {:<13} {:>10} {:>11}  {}\n", mutation.name,
                         count_in_words(static_cast<double>(mutation.proposed)),

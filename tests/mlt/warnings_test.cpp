@@ -108,7 +108,7 @@ class Warnings : public ::testing::Test {
     seen.current.path_class = path_class;
     for (int i = 0; i < steps; ++i) group.observe(seen, runs);
   }
-  // Chains whose film coordinate is this, and whose log f may change, too.
+  // Chains whose position on the sensor is this, and whose log f may change, too.
   std::vector<std::string> warnings_of(const Draws& film, const Draws& log_f = {}) {
     std::vector<ThinnedDraws> chains(film.chains);
     ChainDraws draws;
@@ -154,7 +154,7 @@ TEST_F(Warnings, SayThatChainsShareTheirSeeds) {
 TEST_F(Warnings, SayHowManyChainsWouldBeLongEnough) {
   const auto slow = warnings_of(draws_of({.phi = 0.8}, 1));
   ASSERT_EQ(slow.size(), 1u);
-  EXPECT_NE(slow[0].find("R-hat of their place on the film is 1.017"), std::string::npos)
+  EXPECT_NE(slow[0].find("R-hat of their position on the sensor is 1.017"), std::string::npos)
       << slow[0];
   EXPECT_NE(slow[0].find("; --chains 128 would do"), std::string::npos) << slow[0];
 }
@@ -178,7 +178,9 @@ TEST_F(Warnings, AreOfWhatTellsOnTheFilm) {
 TEST_F(Warnings, SayThatGroupsDisagree) {
   const auto apart = warnings_of(draws_of({.group_offset = 0.5}, 1));
   ASSERT_EQ(apart.size(), 1u);
-  EXPECT_NE(apart[0].find("the groups of chains disagree on film"), std::string::npos) << apart[0];
+  EXPECT_NE(apart[0].find("the groups of chains disagree on position on the sensor"),
+            std::string::npos)
+      << apart[0];
 }
 
 TEST_F(Warnings, SayThatGroupsDisagreeWithoutAnyChange) {

@@ -53,7 +53,7 @@ TEST(FilmFigure, AxesHaveUnits) {
   scene.camera = d::Camera{{0, 0}, {1, 0}, {}, 90, {10}, 0, {}};
   FilmFigureOptions how = options();
   how.axes = film_axes(scene);
-  EXPECT_NE(film_figure({film(20)}, how).find(">mean radiance, W/(m rad)<"), std::string::npos);
+  EXPECT_NE(film_figure({film(20)}, how).find(">mean radiance, W/(m·rad)<"), std::string::npos);
 }
 
 TEST(FilmFigure, MarksUnreliableBinsAndSaysSo) {
@@ -82,7 +82,7 @@ TEST(FilmFigure, OneFireflyDoesNotFlattenTheFilm) {
   EXPECT_LT(value_range(bars, {}).high, 3);
   const std::string svg = film_figure({noisy}, options());
   EXPECT_EQ(count(svg, "class=\"beyond\""), 2u);  // at the edge and in the legend
-  EXPECT_EQ(count(svg, ">beyond the axis, up to 1e+06 W/m<"), 1u);
+  EXPECT_EQ(count(svg, ">beyond the axis, up to 1000000 W/m<"), 1u);
 }
 
 TEST(FilmFigure, WhatLiesBeyondTheAxisIsToldOnItsScale) {

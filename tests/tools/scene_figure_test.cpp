@@ -27,7 +27,7 @@ TEST(SceneFigure, IsWellFormedAndTheSameEveryTime) {
 TEST(SceneFigure, NamesInItsLegendWhatOccursAndNothingElse) {
   const std::string all = scene_figure(room());
   for (const char* entry :
-       {">light, 5 W/(m rad)<", ">sensor, 20 bins from the dot<", ">diffuse, ρ 0.5<",
+       {">light, 5 W/(m·rad)<", ">sensor, 20 bins from the dot<", ">diffuse, ρ 0.5<",
         ">mirror, ρ 0.9<", ">dielectric, n 1.5<", ">rough conductor, α 0.2, ρ 0.9<",
         ">rough dielectric, α 0.3, n 1.4<", ">black<"})
     EXPECT_EQ(count(all, entry), 1u) << entry;

@@ -224,7 +224,7 @@ TEST(AcceptanceChart, SharesAddUp) {
   EXPECT_EQ(count(svg, "class=\"share\""), 6u);
   EXPECT_EQ(count(svg, ">33.3 %<"), 6u);
   for (const char* text : {">accepted: 33.3 % of all<", ">occluded: 33.3 % of all<",
-                           ">refused by the acceptance test: 33.3 % of all<"})
+                           ">rejected by the acceptance test: 33.3 % of all<"})
     EXPECT_EQ(count(svg, text), 1u) << text;
 }
 

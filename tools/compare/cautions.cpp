@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/decision.h"
+#include "core/number_text.h"
 #include "tools/wording.h"
 
 namespace wander::compare {
@@ -103,7 +104,7 @@ void of_the_replicates(std::vector<std::string>& cautions, const View& view) {
   for (std::size_t c = 0; c < view.contenders(); ++c) {
     const Disagreement found = disagreement_of(view.cells[view.at(c)]);
     if (found.ratio > found.threshold)
-      disagreeing.add(view.comparison, c, fmt::format("{:.2g} times", found.ratio));
+      disagreeing.add(view.comparison, c, number_text(found.ratio, 2) + " times");
     const Measured& bias = view.comparison.cells[view.at(c)].bias;
     if (bias.interval.low > 0)
       biased.add(view.comparison, c,

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/exact/diffuse_film.h"
+#include "core/number_text.h"
 #include "core/output/film_statistics.h"
 #include "core/output/run_json.h"
 #include "tools/failure.h"
@@ -92,14 +93,14 @@ std::optional<Reference> exact_reference(const description::Scene& scene, std::s
   const bool is_dark = std::ranges::all_of(film.value, [](double value) { return value == 0; });
   const double error = is_dark ? 0 : relative_error(film);
   if (!(error <= largest_exact_error)) {
-    why = fmt::format("its error, {:.1g}, is too large", error);
+    why = fmt::format("its error, {}, is too large", number_text(error, 1));
     return std::nullopt;
   }
   return Reference{
       std::move(film),
       fmt::format("exact: diffuse surfaces, solved as a linear system of {} unknowns to "
-                  "a relative error of {:.1g}",
-                  exact.unknowns, error)};
+                  "a relative error of {}",
+                  exact.unknowns, number_text(error, 1))};
 }
 
 Reference no_reference(const std::vector<int>& shape) {

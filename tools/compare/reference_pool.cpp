@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "core/output/film_pool.h"
 #include "tools/wording.h"
 
@@ -115,8 +116,9 @@ Decision agreement(const FilmEstimate& a, const FilmEstimate& b) {
   const Measurement &x = of_a[decision.worst], &y = of_b[decision.worst];
   decision.worst = bins[decision.worst];
   decision.detail =
-      fmt::format("in bin {}, {:.4g} ± {:.2g} and {:.4g} ± {:.2g}", decision.worst, unit * x.value,
-                  unit * x.standard_error, unit * y.value, unit * y.standard_error);
+      fmt::format("in bin {}, {} ± {} and {} ± {}", decision.worst, number_text(unit * x.value, 4),
+                  number_text(unit * x.standard_error, 2), number_text(unit * y.value, 4),
+                  number_text(unit * y.standard_error, 2));
   return decision;
 }
 
@@ -128,9 +130,10 @@ Reference pooled_reference(const std::vector<Part>& parts) {
   const double share = first.weight / (first.weight + second.weight);
   const Decision decision = agreement(a, b);
   const double growth = decision.passed ? 1 : excess(a, b, unit_of(a, b));
-  Reference reference{weighted_mean(a, b, share, growth),
-                      fmt::format("the mean of {}, weight {:.2g}, and {}, weight {:.2g}",
-                                  text_of(first), share, text_of(second), 1 - share)};
+  Reference reference{
+      weighted_mean(a, b, share, growth),
+      fmt::format("the mean of {}, weight {}, and {}, weight {}", text_of(first),
+                  number_text(share, 2), text_of(second), number_text(1 - share, 2))};
   if (!decision.passed) reference.doubts.push_back(disagreement(first, second, decision));
   return reference;
 }

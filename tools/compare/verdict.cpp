@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "tools/compare/curves.h"
 #include "tools/wording.h"
 
@@ -16,9 +17,10 @@ constexpr std::size_t most_sentences = 6;
 constexpr std::size_t most_named = 4;  // contenders or pairs, in one sentence
 
 // Two digits, or whole numbers.
+constexpr int whole_digits = 7;
 std::string digits(double x) {
   if (!std::isfinite(x)) return "?";
-  return std::abs(x) >= 100 ? fmt::format("{:.0f}", x) : fmt::format("{:.2g}", x);
+  return std::abs(x) >= 100 ? number_text(std::round(x), whole_digits) : number_text(x, 2);
 }
 
 std::string range(const Interval& interval, double factor) {

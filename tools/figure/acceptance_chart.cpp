@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "core/number_text.h"
 #include "tools/figure/meanings.h"
 #include "tools/figure/share_bars.h"
 #include "tools/wording.h"
@@ -49,9 +50,10 @@ std::vector<Part> parts_of(const std::vector<Tried>& all) {
 }
 
 ShareBar bar_of(const Tried& tried) {
-  ShareBar bar{spoken(tried.mutation),
-               fmt::format("{} step{}, mean a {:.2g}", count_in_words(tried.steps),
-                           tried.steps == 1 ? "" : "s", tried.acceptance / tried.steps)};
+  ShareBar bar{
+      spoken(tried.mutation),
+      fmt::format("{} step{}, mean a {}", count_in_words(tried.steps), tried.steps == 1 ? "" : "s",
+                  number_text(tried.acceptance / tried.steps, 2))};
   for (const auto& [outcome, steps] : tried.outcomes) bar.shares[outcome] = steps / tried.steps;
   return bar;
 }

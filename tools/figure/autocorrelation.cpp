@@ -8,6 +8,7 @@
 #include <functional>
 #include <numeric>
 
+#include "core/number_text.h"
 #include "mlt/diagnostics.h"
 #include "tools/figure/axis.h"
 #include "tools/figure/style.h"
@@ -30,7 +31,7 @@ struct Functional {
 
 const std::array<Functional, 3>& functionals() {
   static const std::array<Functional, 3> all{
-      {{"coordinate of the film",
+      {{"position on the sensor",
         [](const Trajectory& t, std::size_t i) {
           return t.state.film[i * static_cast<std::size_t>(t.dimension - 1)];
         }},
@@ -93,7 +94,7 @@ void draw_curve(Svg& svg, const std::vector<double>& rho, const LinearScale& x,
 
 std::string title(const Curves& curves) {
   if (!std::isfinite(curves.time)) return std::string(curves.name);
-  return fmt::format("{}, τ {:.3g}", curves.name, curves.time);
+  return fmt::format("{}, τ {}", curves.name, number_text(curves.time));
 }
 
 std::string note(const Curves& curves) {

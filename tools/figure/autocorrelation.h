@@ -1,5 +1,5 @@
-// The autocorrelation function of the film coordinate, of log f and of the number of vertices: a
-// thin line for each chain and a thick one for their mean.
+// The autocorrelation function of the position on the sensor, of log f and of the number of
+// vertices: a thin line for each chain and a thick one for their mean.
 #pragma once
 
 #include <span>

@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "tools/figure/scale_of_ten.h"
 #include "tools/figure/style.h"
-#include "tools/wording.h"
 
 namespace wander::figure {
 namespace {
 
 constexpr double tick_length = 3;
+constexpr int exact_digits = 15;
 
 double largest_magnitude(Range range) {
   return std::max(std::abs(range.low), std::abs(range.high));
@@ -54,7 +55,9 @@ std::string with_minus_sign(std::string text) {
 
 std::string axis_title(const Quantity& quantity, double offset, int exponent) {
   std::string title = quantity.name;
-  if (offset != 0) title += fmt::format(" {} {}", offset < 0 ? "+" : "−", std::abs(offset));
+  if (offset != 0)
+    title +=
+        fmt::format(" {} {}", offset < 0 ? "+" : "−", number_text(std::abs(offset), exact_digits));
   if (exponent == 0 && quantity.unit.empty()) return title;
   title += ", ";
   if (exponent != 0) title += "10" + superscript(exponent);
@@ -130,7 +133,7 @@ Axis make_log_axis(const Quantity& quantity, Range domain, Range page) {
       if (mantissa > 1 && decade < room) continue;
       const std::string factor = mantissa > 1 ? fmt::format("{}·", mantissa) : "";
       axis.ticks.push_back(tick);
-      axis.labels.push_back(plain ? fmt::format("{:g}", decimal(mantissa, power))
+      axis.labels.push_back(plain ? number_text(decimal(mantissa, power))
                                   : factor + "10" + superscript(power));
     }
   return axis;

@@ -107,7 +107,7 @@ Range steps_range(const Steps& steps) {
 
 std::string heading_of(const Steps& steps, std::size_t shown) {
   std::string text =
-      fmt::format("Coordinate of the film, {}; marks below: rejections", in_words(steps));
+      fmt::format("Position on the sensor, {}; marks below: rejections", in_words(steps));
   if (shown < steps.chains().size()) text += fmt::format(" (the first {} chains)", shown);
   return text;
 }

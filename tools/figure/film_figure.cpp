@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "core/output/film_statistics.h"
 #include "tools/figure/block.h"
 #include "tools/figure/film_layout.h"
@@ -80,10 +81,10 @@ std::string on_scale_of(Range values, double value, const std::string& unit) {
   constexpr double many_digits = 1e6;
   const int exponent = common_exponent(std::max(std::abs(values.low), std::abs(values.high)));
   const double scaled = decimal(value, -exponent);
-  if (exponent == 0 || scaled >= many_digits) return fmt::format("{:.3g} {}", value, unit);
+  if (exponent == 0 || scaled >= many_digits) return fmt::format("{} {}", number_text(value), unit);
   const double digit = scaled < 1000 ? 1 : std::pow(10, std::floor(std::log10(scaled)) - 2);
   const std::string digits = scaled < 1000
-                                 ? fmt::format("{:.3g}", scaled)
+                                 ? number_text(scaled)
                                  : fmt::format("{:.0f}", std::round(scaled / digit) * digit);
   return fmt::format("{}·10{} {}", digits, superscript(exponent), unit);
 }

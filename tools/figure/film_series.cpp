@@ -157,7 +157,7 @@ Range log_value_range(std::span<const std::vector<Bar>> films, std::span<const B
 }
 
 FilmAxes film_axes(const description::Scene& scene) {
-  if (scene.camera) return {{"film coordinate", ""}, {"mean radiance", "W/(m rad)"}, {0, 1}};
+  if (scene.camera) return {{"position on the sensor", ""}, {"mean radiance", "W/(m·rad)"}, {0, 1}};
   double size = 0;
   for (const description::Shape& shape : scene.shapes) {
     if (!shape.sensor) continue;

@@ -41,7 +41,7 @@ Range log_value_range(std::span<const std::vector<Bar>> films, std::span<const B
 
 // What the axes of a film mean.
 struct FilmAxes {
-  Quantity position{"film coordinate", ""}, value{"value", ""};
+  Quantity position{"position on the sensor", ""}, value{"value", ""};
   Range extent{0, 1};  // of the positions
 };
 FilmAxes film_axes(const description::Scene& scene);

@@ -13,7 +13,7 @@ constexpr std::string_view tint = "#e9e9e9", light_tint = "#efefef", lightest_ti
 constexpr std::array outcomes{
     OutcomeMark{accepted_word, "accepted", {Tile::plain, 3, 0, 0, "", style::accepted.colour}},
     OutcomeMark{refused_word,
-                "refused by the acceptance test",
+                "rejected by the acceptance test",
                 {Tile::line, 3, 45, 1.3, style::rejected.colour, "#fdebd3"}},
     OutcomeMark{"occluded", "occluded", {Tile::line, 2.4, -70, 0.6, grey, style::paper}},
     OutcomeMark{"missed_scene", "missed scene", {Tile::dash, 3.2, 0, 0.9, grey, style::paper}},

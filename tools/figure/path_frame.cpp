@@ -5,15 +5,14 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "core/number_text.h"
+
 namespace wander::figure {
 namespace {
 
 constexpr double dot_radius = 1.1, cross_size = 2.6;
 
-std::string number_in_words(double a) {
-  if (a >= 0.01 || a == 0) return fmt::format("{:.2g}", a);
-  return fmt::format("{:.1g}", a);
-}
+std::string probability_text(double a) { return number_text(a, a >= 0.01 ? 2 : 1); }
 
 // "occluded" for occluded; "missed scene" for missed_scene.
 std::string spoken(std::string_view name) {
@@ -24,9 +23,9 @@ std::string spoken(std::string_view name) {
 
 std::string outcome_of(const Steps& steps, const Step& step) {
   const double a = steps.trajectory().acceptance[step.index];
-  if (steps.accepted(step)) return fmt::format("accepted, a = {}", number_in_words(a));
+  if (steps.accepted(step)) return fmt::format("accepted, a = {}", probability_text(a));
   if (steps.reason(step) == "metropolis")
-    return fmt::format("rejected, a = {}", number_in_words(a));
+    return fmt::format("rejected, a = {}", probability_text(a));
   return "failed: " + spoken(steps.reason(step));
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "core/number_text.h"
 #include "tools/figure/legend.h"
 #include "tools/figure/path_frame.h"
 #include "tools/figure/path_zoom.h"

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "tools/figure/axis.h"
 #include "tools/figure/scene_drawing.h"
 #include "tools/figure/style.h"
@@ -35,11 +36,11 @@ void draw_scale_bar(Svg& svg, const PageMap& map, Vector bottom_left, double mos
 
 std::string length_in_words(double metres) {
   constexpr std::array<std::string_view, 9> prefixes{"p", "n", "µ", "m", "", "k", "M", "G", "T"};
-  if (metres >= 0.01 && metres < 1000) return fmt::format("{:.4g} m", metres);
+  if (metres >= 0.01 && metres < 1000) return number_text(metres, 4) + " m";
   const double power = std::floor(std::log10(metres) / 3 + 1e-9);
-  if (!(power >= -4 && power <= 4)) return fmt::format("{:.3g} m", metres);
+  if (!(power >= -4 && power <= 4)) return number_text(metres) + " m";
   const auto index = static_cast<std::size_t>(power + 4);
-  return fmt::format("{:.4g} {}m", metres / std::pow(1000, power), prefixes[index]);
+  return fmt::format("{} {}m", number_text(metres / std::pow(1000, power), 4), prefixes[index]);
 }
 
 double inset_height(const description::Scene& scene, double width, double most_height) {

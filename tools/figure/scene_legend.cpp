@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/number_text.h"
 #include "tools/figure/marks.h"
 
 namespace wander::figure {
@@ -25,7 +26,7 @@ class Spread {
   }
   std::string after(std::string_view prefix, std::string_view suffix = "") const {
     if (low_ > high_) return "";
-    const std::string low = fmt::format("{:.3g}", low_), high = fmt::format("{:.3g}", high_);
+    const std::string low = number_text(low_), high = number_text(high_);
     return fmt::format("{}{}{}", prefix, low == high ? low : low + "–" + high, suffix);
   }
 
@@ -112,7 +113,7 @@ void add_emitters(const description::Scene& scene, std::vector<LegendEntry>& ent
   Spread radiance;
   for (const description::Shape& shape : scene.shapes)
     if (shape.light) radiance.include(shape.light->radiance);
-  if (const std::string text = radiance.after("light, ", " W/(m rad)"); !text.empty())
+  if (const std::string text = radiance.after("light, ", " W/(m·rad)"); !text.empty())
     entries.push_back(entry(Role::light, text));
   for (const description::Shape& shape : scene.shapes)
     if (shape.sensor)

@@ -47,7 +47,7 @@ std::string TrajectoryPage::paths() const {
 }
 
 std::string TrajectoryPage::trace() const {
-  return single("the film coordinate of each chain, step by step",
+  return single("the position on the sensor of each chain, step by step",
                 coordinate_trace(whole_, width(), most_chains));
 }
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "tools/wording.h"
+#include "core/number_text.h"
 
 namespace wander::report {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/number_text.h"
 #include "tools/figure/meanings.h"
 #include "tools/figure/share_bars.h"
 #include "tools/report/embedding.h"
@@ -41,8 +42,8 @@ Bars bars_of(const Subject& subject) {
       if (mutation.proposed == 0) continue;
       const auto proposed = static_cast<double>(mutation.proposed);
       figure::ShareBar bar{fmt::format("{} of {}", figure::spoken(mutation.name), subject.label(k)),
-                           fmt::format("{} proposals, mean a {:.2g}", count_in_words(proposed),
-                                       mutation.mean_acceptance)};
+                           fmt::format("{} proposals, mean a {}", count_in_words(proposed),
+                                       number_text(mutation.mean_acceptance, 2))};
       for (const auto& [outcome, count] : outcomes_of(mutation)) {
         bar.shares[outcome] = static_cast<double>(count) / proposed;
         result.outcomes[outcome] += static_cast<double>(count);
@@ -67,11 +68,11 @@ void write_outcomes(Html& html, const Subject& subject) {
         html,
         figure::page("What became of the proposals",
                      "For each mutation the shares of proposals that were accepted, "
-                     "refused, and that failed for each reason.",
+                     "rejected, and that failed for each reason.",
                      figure_width, {block}),
         "Each bar is all proposals of one mutation of one contender, in its first "
         "replicate at the last budget: plain where they were accepted, with the marks of the "
-        "legend where they were refused or failed. A mark means the same in every figure.");
+        "legend where they were rejected or failed. A mark means the same in every figure.");
   }
 }
 

@@ -88,8 +88,8 @@ void write_by_bin(Html& html, const Subject& subject) {
   }
   write_panels(
       html, chart, "Mean acceptance over the film",
-      "The mean acceptance of each mutation against the position on the film.",
-      "Mean acceptance of the proposals that were made while the path met the film there. "
+      "The mean acceptance of each mutation against the position on the sensor.",
+      "Mean acceptance of the proposals that were made while the path met the sensor there. "
       "Places with fewer than 100 proposals are left out. A dip is a place that chains enter "
       "and leave seldom.");
 }
@@ -115,8 +115,8 @@ void write_mutations(Html& html, const Subject& subject) {
     }
   Table table = named_rows(
       "Mutations of the first replicate at the last budget. The squared jump is "
-      "the mean of a · |film(y) − film(x)|², the film being of length 1. Refused in a row counts "
-      "the proposals of this mutation alone that one chain refused, one after the other.",
+      "the mean of a · |film(y) − film(x)|², the film being of length 1. Rejected in a row counts "
+      "the proposals of this mutation alone that one chain rejected, one after the other.",
       "contender", names);
   table.add_column({"mutation", Kind::words}, mutations);
   table.add_column({"proposals"}, proposals);
@@ -124,7 +124,7 @@ void write_mutations(Html& html, const Subject& subject) {
   table.add_column({"accepted, %"}, aligned(accepted));
   table.add_column({"squared jump, 10⁻³"}, aligned(jump));
   table.add_column({"time per proposal, µs"}, times);
-  table.add_column({"most refused in a row"}, runs);
+  table.add_column({"most rejected in a row"}, runs);
   write_table(html, table);
 }
 
@@ -132,7 +132,7 @@ void write_mutations(Html& html, const Subject& subject) {
 
 void write_acceptance(Html& html, const Subject& subject) {
   if (chain_contenders(subject).empty()) {
-    html.element("p", "No contender is a Markov chain: nothing is proposed, accepted or refused.",
+    html.element("p", "No contender is a Markov chain: nothing is proposed, accepted or rejected.",
                  {{"class", "note"}});
     return;
   }

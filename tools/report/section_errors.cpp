@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/number_text.h"
 #include "tools/compare/curves.h"
 #include "tools/compare/verdict.h"
 #include "tools/report/embedding.h"
@@ -91,7 +92,7 @@ void write_slopes(Html& html, const Subject& subject) {
 
 std::string in_words(const Subject& subject, const Crossing& crossing) {
   const std::string chance = std::isfinite(crossing.p_value)
-                                 ? fmt::format(", p = {:.2g}", crossing.p_value)
+                                 ? fmt::format(", p = {}", number_text(crossing.p_value, 2))
                                  : std::string();
   std::string text = compare::standing(subject.comparison, crossing) + chance;
   if (!crossing.significant) return text + ".";

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mlt/functional_words.h"
 #include "tools/figure/interval_rows.h"
 #include "tools/figure/share_bars.h"
 #include "tools/report/embedding.h"
@@ -40,7 +41,7 @@ std::vector<figure::IntervalGroup> groups_of(const Subject& subject) {
   for (const std::size_t k : recorded_contenders(subject))
     for (const FunctionalRecord& functional : subject.details(k)->chains_record->functionals) {
       if (!is_measured(functional)) continue;
-      const std::string heading = figure::spoken(functional.name);
+      const std::string heading = std::string(spoken_functional(functional.name));
       auto group = std::ranges::find(groups, heading, &figure::IntervalGroup::heading);
       if (group == groups.end()) group = groups.insert(groups.end(), {heading, {}});
       group->rows.push_back(
@@ -67,8 +68,8 @@ void write_times(Html& html, const Subject& subject) {
                    "For each functional of the state the autocorrelation time of each "
                    "contender, in mutations.",
                    figure_width, {block}),
-      "How many mutations of one chain are worth one independent draw, for the coordinate "
-      "on the film, the logarithm of the contribution f, and the numbers of vertices and "
+      "How many mutations of one chain are worth one independent draw, for the position "
+      "on the sensor, the logarithm of the contribution f, and the numbers of vertices and "
       "of specular vertices. Farther left mixes faster, per mutation; a mutation of one "
       "method may cost more time than one of another. A functional with large times is what "
       "limits the run. Times marked ≤ are shorter than the draws are apart.");
@@ -83,7 +84,7 @@ void write_functionals(Html& html, const Subject& subject) {
         return std::isfinite(value) ? count_in_words(value) : std::string(unknown_number);
       };
       names.push_back(subject.label(k));
-      functionals.push_back(figure::spoken(functional.name));
+      functionals.push_back(std::string(spoken_functional(functional.name)));
       bulk.push_back(count(functional.ess_bulk));
       tail.push_back(count(functional.ess_tail));
       rate.push_back(count(functional.ess_bulk / details.seconds));

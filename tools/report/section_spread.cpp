@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mlt/functional_words.h"
 #include "tools/figure/film_series.h"
 #include "tools/figure/share_bars.h"
 #include "tools/reference_name.h"
@@ -197,7 +198,7 @@ void write_r_hat(Html& html, const Subject& subject) {
   for (const std::string& functional : functionals) {
     std::vector<std::string> cells;
     for (const Rendering* details : records) cells.push_back(r_hat_of(*details, functional));
-    table.add_column({figure::spoken(functional)}, cells);
+    table.add_column({std::string(spoken_functional(functional))}, cells);
   }
   html.element("h3", "Chains within a run: R-hat");
   write_table(html, table);
