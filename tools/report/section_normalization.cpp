@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "core/output/film_statistics.h"
 #include "tools/figure/interval_rows.h"
 #include "tools/figure/scale_of_ten.h"
