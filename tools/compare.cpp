@@ -65,7 +65,8 @@ SceneDocument scene_for(const Plan& plan) {
 }
 
 std::vector<int> shape_of(const SceneDocument& document) {
-  const auto resolution = build_flatland(document.scene)->resolution();
+  const auto scene = build_flatland(document.scene);
+  const auto resolution = scene->resolution();
   return {resolution.begin(), resolution.end()};
 }
 
