@@ -95,13 +95,10 @@ void collect_warnings(Runs& runs) {
         runs.contenders[runs.failures.front().contender].label, runs.failures.front().message));
 }
 
+// Whatever was interrupted is shown, be it ever so little.
 void require_some(const Runs& runs) {
-  if (!runs.runs.empty()) return;
-  if (!runs.complete)
-    throw CommandFailure(ExitCode::interrupted,
-                         "interrupted before the first run was complete, so there are no errors; "
-                         "long runs of a reference that were complete are kept for the next time");
-  throw CommandFailure(ExitCode::failure, runs.failures.front().message);
+  if (runs.runs.empty() && runs.complete)
+    throw CommandFailure(ExitCode::failure, runs.failures.front().message);
 }
 
 double effort_of_all(const Plan& plan, bool needs_reference) {

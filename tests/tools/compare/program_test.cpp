@@ -140,11 +140,38 @@ TEST_F(CompareCommand, AnInterruptedComparisonIsSavedAsIncomplete) {
   EXPECT_HAS(outcome.err, "not complete");
 }
 
-TEST_F(CompareCommand, OneInterruptedBeforeItsFirstRunLeavesNothing) {
+TEST_F(CompareCommand, OneInterruptedBeforeItsFirstRunHasItsReference) {
+  write("mirror.json", mirror_box());
   const Outcome outcome = interrupted_at("replicate", "box.json -b 60s --replicates 2 -o o");
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-  EXPECT_HAS(outcome.err, "before the first run was complete");
-  EXPECT_FALSE(exists("o"));
+  const json document = json::parse(contents(folder / "o" / "compare.json"));
+  EXPECT_EQ(document["complete"], false);
+  EXPECT_EQ(document["runs"].size(), 0u);
+  EXPECT_TRUE(exists("o/report.html"));
+  EXPECT_HAS(document["reference"]["origin"].get<std::string>(), "exact");
+}
+
+TEST_F(CompareCommand, AnInterruptedReferenceIsWhatIsKnownOfIt) {
+  write("mirror.json", mirror_box());
+  const Outcome outcome = interrupted_at("reference: ", "mirror.json -b 3s --replicates 2 -o o");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  const json document = json::parse(contents(folder / "o" / "compare.json"));
+  EXPECT_EQ(document["complete"], false);
+  EXPECT_EQ(document["runs"].size(), 0u);
+  EXPECT_TRUE(exists("o/report.html"));
+  EXPECT_HAS(document["reference"]["origin"].get<std::string>(), "interrupted");
+  for (const json& value : document["reference"]["film"]["value"]) EXPECT_TRUE(value.is_number());
+}
+
+TEST_F(CompareCommand, OneInterruptedInItsTrialSaysThatThereIsNoReference) {
+  write("mirror.json", mirror_box());
+  const Outcome outcome = interrupted_at("trial", "mirror.json -b 3s --replicates 2 -o o");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  const json document = json::parse(contents(folder / "o" / "compare.json"));
+  EXPECT_EQ(document["complete"], false);
+  EXPECT_EQ(document["runs"].size(), 0u);
+  EXPECT_TRUE(exists("o/report.html"));
+  EXPECT_HAS(document["cautions"].dump(), "There is no reference");
 }
 
 // Of 50 contenders, the second has begun.
