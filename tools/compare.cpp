@@ -91,7 +91,8 @@ void examine(CompareOptions& options, const Global& global, Examination& examina
 }
 
 std::vector<int> shape_of(const SceneDocument& document) {
-  const auto resolution = build_flatland(document.scene)->resolution();
+  const auto scene = build_flatland(document.scene);
+  const auto resolution = scene->resolution();
   return {resolution.begin(), resolution.end()};
 }
 
@@ -134,13 +135,10 @@ void warn_of_load(const Plan& plan, Runs& runs) {
     runs.warnings.push_back(std::move(load));
 }
 
+// Whatever was interrupted is shown, be it ever so little.
 void require_some(const Runs& runs) {
-  if (!runs.runs.empty()) return;
-  if (!runs.complete)
-    throw CommandFailure(ExitCode::interrupted,
-                         "interrupted before the first run was complete, so there are no errors; "
-                         "long runs of a reference that were complete are kept for the next time");
-  throw CommandFailure(ExitCode::failure, runs.failures.front().message);
+  if (runs.runs.empty() && runs.complete)
+    throw CommandFailure(ExitCode::failure, runs.failures.front().message);
 }
 
 double effort_of_all(const Plan& plan, bool needs_reference) {

@@ -28,7 +28,8 @@ class CompareCommand : public CommandLine {
   fs::path cached_file() const {
     return fs::directory_iterator(folder / "cache" / "wanderlight")->path();
   }
-  // Interrupts the comparison as soon as its --progress json says `phase`.
+  // Interrupts the comparison as soon as its --progress json says `phase`; runs of less than 0.1 s
+  // may say nothing.
   Outcome interrupted_at(const std::string& phase, const std::string& arguments) const {
     return shell("export XDG_CACHE_HOME=\"$PWD/cache\"; \"$WANDER\" compare " + arguments +
                  " --progress json 2>progress & job=$!; until grep -q '" + phase +

@@ -142,20 +142,47 @@ TEST_F(CompareCommand, AnInterruptedComparisonIsSavedAsIncomplete) {
   EXPECT_HAS(outcome.err, "not complete");
 }
 
-TEST_F(CompareCommand, OneInterruptedBeforeItsFirstRunLeavesNothing) {
+TEST_F(CompareCommand, OneInterruptedBeforeItsFirstRunHasItsReference) {
+  write("mirror.json", mirror_box());
   const Outcome outcome = interrupted_at("replicate", "box.json -b 60s --replicates 2 -o o");
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
-  EXPECT_HAS(outcome.err, "before the first run was complete");
-  EXPECT_FALSE(exists("o"));
+  const json document = json::parse(contents(folder / "o" / "compare.json"));
+  EXPECT_EQ(document["complete"], false);
+  EXPECT_EQ(document["runs"].size(), 0u);
+  EXPECT_TRUE(exists("o/report.html"));
+  EXPECT_HAS(document["reference"]["origin"].get<std::string>(), "exact");
 }
 
-// Of 50 contenders, the second has begun.
+TEST_F(CompareCommand, AnInterruptedReferenceIsWhatIsKnownOfIt) {
+  write("mirror.json", mirror_box());
+  const Outcome outcome = interrupted_at("reference: ", "mirror.json -b 3s --replicates 2 -o o");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  const json document = json::parse(contents(folder / "o" / "compare.json"));
+  EXPECT_EQ(document["complete"], false);
+  EXPECT_EQ(document["runs"].size(), 0u);
+  EXPECT_TRUE(exists("o/report.html"));
+  EXPECT_HAS(document["reference"]["origin"].get<std::string>(), "interrupted");
+  for (const json& value : document["reference"]["film"]["value"]) EXPECT_TRUE(value.is_number());
+}
+
+TEST_F(CompareCommand, OneInterruptedInItsTrialSaysThatThereIsNoReference) {
+  write("mirror.json", mirror_box());
+  const Outcome outcome = interrupted_at("trial", "mirror.json -b 15s --replicates 2 -o o");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
+  const json document = json::parse(contents(folder / "o" / "compare.json"));
+  EXPECT_EQ(document["complete"], false);
+  EXPECT_EQ(document["runs"].size(), 0u);
+  EXPECT_TRUE(exists("o/report.html"));
+  EXPECT_HAS(document["cautions"].dump(), "There is no reference");
+}
+
+// Of 50 contenders, one after the first has begun.
 TEST_F(CompareCommand, AnInterruptedComparisonKnowsTheErrorsOfWhatItMade) {
   write("mirror.json", mirror_box());
   std::string values = "0.01";
   for (int i = 2; i < 50; ++i) values += fmt::format(",{:.2f}", 0.01 * i);
-  const Outcome outcome = interrupted_at("mlt large_step=0.01 0.1s, replicate 1",
-                                         "mirror.json -m mlt -b 0.1s --replicates 2 -o out "
+  const Outcome outcome = interrupted_at("mlt large_step=.*replicate",
+                                         "mirror.json -m mlt -b 0.2s --replicates 2 -o out "
                                          "--sweep large_step=" +
                                              values);
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;

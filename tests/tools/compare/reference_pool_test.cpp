@@ -75,9 +75,9 @@ TEST(Agreement, NothingToCompareIsNoDisagreement) {
 
 TEST(ReferencePool, IsTheMeanByWeight) {
   const Part a = part("bdpt", made_film({1, 2}, 0.1), 3),
-             b = part("mlt", made_film({2, 2}, 0.2), 1);
+             b = part("mlt", made_film({1.5, 2}, 0.2), 1);
   const Reference reference = pooled_reference({a, b});
-  EXPECT_DOUBLE_EQ(reference.film.value[0], 1.25);
+  EXPECT_DOUBLE_EQ(reference.film.value[0], 1.125);
   EXPECT_DOUBLE_EQ(reference.film.value[1], 2);
   EXPECT_DOUBLE_EQ(reference.film.standard_error[0], std::hypot(0.075, 0.05));
   EXPECT_GT(reference.film.degrees_of_freedom, 31);

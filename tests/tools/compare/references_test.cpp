@@ -119,7 +119,7 @@ TEST_F(CompareCommand, IgnoresABrokenCacheWithAWarning) {
     const Outcome outcome = compare(command);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_HAS(outcome.err, "cache");
-    EXPECT_EQ(contents(cached_file()).size() > 1000, true);
+    EXPECT_GE(cached_files(), 2u);
   }
 }
 
