@@ -9,7 +9,8 @@ namespace {
 
 // What may differ between two runs of the same command.
 json without_times(json document) {
-  const std::set<std::string> facts{"command", "command_line", "threads", "efficiency"};
+  const std::set<std::string> facts{"command", "command_line", "provenance", "threads",
+                                    "efficiency"};
   const std::function<void(json&)> strip = [&](json& node) {
     if (node.is_object())
       for (auto it = node.begin(); it != node.end();)
