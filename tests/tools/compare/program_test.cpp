@@ -87,9 +87,10 @@ TEST_F(CompareCommand, MistakesAreExitTwoAndLeaveNothing) {
   EXPECT_HAS(compare("box.json -o o --sweep max_vertex=3").err, "did you mean \"max_vertices\"?");
 }
 
-TEST_F(CompareCommand, ReplacesItsOwnDirectoryOnly) {
+TEST_F(CompareCommand, ReplacesItsOwnDirectoryOnlyWithForce) {
   EXPECT_EQ(compare(std::string(tiny) + " -o out -q").exit_code, 0);
-  EXPECT_EQ(compare(std::string(tiny) + " -o out -q").exit_code, 0);
+  EXPECT_EQ(compare(std::string(tiny) + " -o out -q").exit_code, 2);
+  EXPECT_EQ(compare(std::string(tiny) + " -o out -q --force").exit_code, 0);
   fs::create_directory(folder / "mine");
   write("mine/notes.txt", "mine");
   EXPECT_EQ(compare(std::string(tiny) + " -o mine -q").exit_code, 2);
