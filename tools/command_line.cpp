@@ -41,7 +41,8 @@ std::vector<std::string> without_help_word(CLI::App& app, std::vector<std::strin
 }
 
 UsageError usage_error(const CLI::App& verb, std::string_view what) {
-  return UsageError(fmt::format("{}; see `wander {} --help`", what, verb.get_name()));
+  const char* end = what.ends_with('?') ? "" : ";";
+  return UsageError(fmt::format("{}{} see `wander {} --help`", what, end, verb.get_name()));
 }
 
 std::vector<std::string> long_options(const CLI::App& verb) {

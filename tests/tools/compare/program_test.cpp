@@ -11,7 +11,8 @@ namespace {
 
 // What may differ between two runs of the same command.
 json without_times(json document) {
-  const std::set<std::string> facts{"command", "command_line", "threads", "efficiency"};
+  const std::set<std::string> facts{"command", "command_line", "provenance", "threads",
+                                    "efficiency"};
   const std::function<void(json&)> strip = [&](json& node) {
     if (node.is_object())
       for (auto it = node.begin(); it != node.end();)
@@ -90,9 +91,10 @@ TEST_F(CompareCommand, MistakesAreExitTwoAndLeaveNothing) {
   EXPECT_HAS(compare("box.json -o o --sweep max_vertex=3").err, "did you mean \"max_vertices\"?");
 }
 
-TEST_F(CompareCommand, ReplacesItsOwnDirectoryOnly) {
+TEST_F(CompareCommand, ReplacesItsOwnDirectoryOnlyWithForce) {
   EXPECT_EQ(compare(std::string(tiny) + " -o out -q").exit_code, 0);
-  EXPECT_EQ(compare(std::string(tiny) + " -o out -q").exit_code, 0);
+  EXPECT_EQ(compare(std::string(tiny) + " -o out -q").exit_code, 2);
+  EXPECT_EQ(compare(std::string(tiny) + " -o out -q --force").exit_code, 0);
   fs::create_directory(folder / "mine");
   write("mine/notes.txt", "mine");
   EXPECT_EQ(compare(std::string(tiny) + " -o mine -q").exit_code, 2);

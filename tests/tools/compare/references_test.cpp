@@ -109,7 +109,7 @@ TEST_F(CompareCommand, ALongReferenceIsTheFilm) {
 
 TEST_F(CompareCommand, IgnoresABrokenCacheWithAWarning) {
   write("mirror.json", mirror_box());
-  const std::string command = "mirror.json -m pt -b 2k --replicates 2 -o out";
+  const std::string command = "mirror.json -m pt -b 2k --replicates 2 -o out --force";
   ASSERT_EQ(compare(command).exit_code, 0);
   const std::string whole = contents(cached_file());
   for (const std::string& broken :
