@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "core/rendering.h"
+#include "records/rendering.h"
 
 namespace wander {
 

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "core/rendering.h"
-#include "core/sum.h"
+#include "records/rendering.h"
+#include "statistics/sum.h"
 
 namespace wander {
 

@@ -10,8 +10,8 @@
 #include <optional>
 #include <span>
 
-#include "core/bvh.h"
 #include "core/camera.h"
+#include "core/geometry/bvh.h"
 #include "core/material.h"
 
 namespace wander {

@@ -98,7 +98,7 @@ bool Transport<W>::shoot(Path<W>& x, int i, Toward toward, Direction direction) 
   const Ray<W> ray{.origin = x[i].place.position, .direction = direction, .from = x[i].place.shape};
   const int j = toward == Toward::sensor ? i + 1 : i - 1;
   Vertex<W>& lower = x[std::min(i, j)];
-  // Also of a ray that meets nothing, for those who watch (mlt/attempt.h).
+  // Also of a ray that meets nothing, for those who watch (mlt/watch/attempt.h).
   lower.place.to_sensor = toward == Toward::sensor ? direction : -direction;
   const Hit<W> hit = scene_->closest(ray);
   if (!hit || !(hit.distance > 0)) return false;

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "mlt/mutation.h"
-#include "mlt/seed_pass.h"
+#include "mlt/seeds/seed_pass.h"
 
 namespace wander {
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "mlt/mutation.h"
-#include "mlt/seed_pass.h"
-#include "mlt/single_technique.h"
+#include "mlt/primary/single_technique.h"
+#include "mlt/seeds/seed_pass.h"
 #include "mutations/primary.h"
 
 namespace wander {

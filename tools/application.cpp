@@ -4,7 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/output/version.h"
+#include "records/version.h"
 
 namespace wander {
 

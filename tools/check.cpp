@@ -9,16 +9,16 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "lab/failure.h"
+#include "lab/parsing.h"
+#include "lab/scene_source.h"
+#include "lab/world_checks.h"
 #include "tools/check_report.h"
 #include "tools/console.h"
 #include "tools/dial_options.h"
-#include "tools/failure.h"
 #include "tools/interruption.h"
-#include "tools/parsing.h"
 #include "tools/progress.h"
-#include "tools/scene_source.h"
 #include "tools/verb.h"
-#include "tools/world_checks.h"
 
 namespace wander {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/number_text.h"
-#include "tools/wording.h"
+#include "lab/wording.h"
+#include "statistics/number_text.h"
 
 namespace wander {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "mlt/kernel_check.h"
-#include "tools/method_check.h"
+#include "lab/method_check.h"
+#include "mlt/check/kernel_check.h"
 
 namespace wander {
 

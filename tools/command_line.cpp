@@ -8,9 +8,9 @@
 #include <optional>
 #include <string_view>
 
-#include "core/scene_file_nearest.h"
-#include "tools/failure.h"
-#include "tools/nearest.h"
+#include "lab/failure.h"
+#include "lab/nearest.h"
+#include "scenes/format/scene_file_nearest.h"
 
 namespace wander {
 

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/output/atomic_file.h"
+#include "records/atomic_file.h"
 
 namespace wander {
 

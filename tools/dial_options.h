@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/dials.h"
+#include "lab/dials.h"
 
 namespace CLI {
 class App;

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "core/output/atomic_file.h"
-#include "core/output/run_record.h"
-#include "core/scene_file.h"
+#include "lab/failure.h"
+#include "records/atomic_file.h"
+#include "records/run_record.h"
+#include "scenes/format/scene_file.h"
 #include "tools/console.h"
 #include "tools/examination.h"
-#include "tools/failure.h"
 
 namespace wander {
 

@@ -4,7 +4,7 @@
 
 #include <exception>
 
-#include "tools/exit_code.h"
+#include "lab/exit_code.h"
 #include "tools/verb.h"
 
 namespace wander {

@@ -7,9 +7,9 @@
 #include <cctype>
 #include <string>
 
-#include "core/output/atomic_file.h"
-#include "tools/failure.h"
-#include "tools/figure/rendition.h"
+#include "draw/figure/rendition.h"
+#include "lab/failure.h"
+#include "records/atomic_file.h"
 #include "tools/output_place.h"
 
 namespace wander {

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "lab/scene_source.h"
 #include "tools/console.h"
 #include "tools/output_place.h"
-#include "tools/scene_source.h"
 #include "tools/verb.h"
 
 namespace wander {

@@ -2,7 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <utility>
 
-#include "tools/parsing.h"
+#include "lab/parsing.h"
 #include "tools/verb.h"
 
 namespace wander {

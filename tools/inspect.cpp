@@ -7,15 +7,15 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/number_text.h"
-#include "core/output/exr.h"
-#include "core/output/run_json.h"
-#include "core/output/trajectory_netcdf.h"
-#include "tools/compare/comparison_json.h"
+#include "lab/compare/comparison_json.h"
+#include "lab/failure.h"
+#include "lab/scene_source.h"
+#include "records/exr.h"
+#include "records/run_json.h"
+#include "records/trajectory_netcdf.h"
+#include "statistics/number_text.h"
 #include "tools/console.h"
-#include "tools/failure.h"
 #include "tools/inspection.h"
-#include "tools/scene_source.h"
 #include "tools/verb.h"
 
 namespace wander {

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/number_text.h"
-#include "core/output/film_statistics.h"
-#include "tools/compare/comparison_json.h"
-#include "tools/compare/verdict.h"
+#include "core/film_statistics.h"
+#include "lab/compare/comparison_json.h"
+#include "lab/compare/verdict.h"
+#include "lab/reference_name.h"
+#include "lab/wording.h"
+#include "statistics/number_text.h"
 #include "tools/inspection.h"
-#include "tools/reference_name.h"
-#include "tools/wording.h"
 
 namespace wander {
 

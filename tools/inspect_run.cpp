@@ -3,14 +3,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/number_text.h"
-#include "core/output/film_statistics.h"
-#include "core/output/run_json.h"
-#include "tools/failure.h"
+#include "core/film_statistics.h"
+#include "lab/failure.h"
+#include "lab/reference_name.h"
+#include "lab/wording.h"
+#include "records/run_json.h"
+#include "statistics/number_text.h"
 #include "tools/inspection.h"
-#include "tools/reference_name.h"
 #include "tools/summary.h"
-#include "tools/wording.h"
 
 namespace wander {
 

@@ -5,10 +5,10 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "core/output/run_json.h"
+#include "lab/wording.h"
+#include "records/run_json.h"
 #include "tools/inspection.h"
 #include "tools/summary.h"
-#include "tools/wording.h"
 
 namespace wander {
 

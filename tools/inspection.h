@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "core/output/run_record.h"
-#include "core/output/trajectory_record.h"
-#include "core/scene_file.h"
-#include "tools/compare/comparison.h"
+#include "lab/compare/comparison.h"
+#include "records/run_record.h"
+#include "records/trajectory_record.h"
+#include "scenes/format/scene_file.h"
 
 namespace wander {
 

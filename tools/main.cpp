@@ -9,13 +9,13 @@
 #include <string_view>
 #include <vector>
 
+#include "lab/failure.h"
+#include "lab/parsing.h"
 #include "tools/application.h"
 #include "tools/command_line.h"
 #include "tools/console.h"
 #include "tools/examination.h"
-#include "tools/failure.h"
 #include "tools/failure_report.h"
-#include "tools/parsing.h"
 #include "tools/verb.h"
 
 namespace {

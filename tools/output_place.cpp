@@ -7,11 +7,11 @@
 #include <cerrno>
 #include <system_error>
 
-#include "core/output/atomic_file.h"
-#include "core/output/run_files.h"
-#include "tools/compare/outputs.h"
+#include "lab/compare/outputs.h"
+#include "lab/failure.h"
+#include "records/atomic_file.h"
+#include "records/run_files.h"
 #include "tools/console.h"
-#include "tools/failure.h"
 
 namespace wander {
 

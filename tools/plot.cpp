@@ -7,21 +7,21 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "core/output/trajectory_netcdf.h"
-#include "tools/compare/comparison_json.h"
+#include "draw/figure/scene_figure.h"
+#include "draw/figure/style.h"
+#include "draw/report/error_figure.h"
+#include "lab/compare/comparison_json.h"
+#include "lab/failure.h"
+#include "lab/nearest.h"
+#include "lab/parsing.h"
+#include "lab/scene_source.h"
+#include "records/trajectory_netcdf.h"
 #include "tools/console.h"
-#include "tools/failure.h"
-#include "tools/figure/scene_figure.h"
-#include "tools/figure/style.h"
 #include "tools/figure_file.h"
-#include "tools/nearest.h"
 #include "tools/output_place.h"
-#include "tools/parsing.h"
 #include "tools/plot_film.h"
 #include "tools/plot_fluence.h"
 #include "tools/plot_trajectory.h"
-#include "tools/report/error_figure.h"
-#include "tools/scene_source.h"
 #include "tools/verb.h"
 
 namespace wander {

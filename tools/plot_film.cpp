@@ -6,10 +6,10 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/output/run_json.h"
-#include "tools/failure.h"
-#include "tools/reference_name.h"
-#include "tools/scene_source.h"
+#include "lab/failure.h"
+#include "lab/reference_name.h"
+#include "lab/scene_source.h"
+#include "records/run_json.h"
 
 namespace wander {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "core/output/run_record.h"
+#include "records/run_record.h"
 #include "tools/plot_options.h"
 
 namespace wander {

@@ -4,20 +4,20 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/fluence.h"
-#include "core/number_text.h"
-#include "core/output/atomic_file.h"
-#include "core/output/exr.h"
+#include "draw/figure/fluence_figure.h"
+#include "draw/figure/plane_picture.h"
+#include "lab/failure.h"
+#include "lab/fluence.h"
+#include "lab/scene_source.h"
+#include "lab/wording.h"
+#include "records/atomic_file.h"
+#include "records/exr.h"
+#include "statistics/number_text.h"
 #include "tools/console.h"
-#include "tools/failure.h"
-#include "tools/figure/fluence_figure.h"
-#include "tools/figure/plane_picture.h"
 #include "tools/figure_file.h"
 #include "tools/interruption.h"
 #include "tools/output_place.h"
 #include "tools/progress.h"
-#include "tools/scene_source.h"
-#include "tools/wording.h"
 
 namespace wander {
 

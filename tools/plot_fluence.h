@@ -2,7 +2,7 @@
 // or saves it as an image.
 #pragma once
 
-#include "tools/exit_code.h"
+#include "lab/exit_code.h"
 #include "tools/plot_options.h"
 
 namespace wander {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/description.h"
-#include "core/session.h"
-#include "tools/figure/film_figure.h"
+#include "draw/figure/film_figure.h"
 #include "tools/verb.h"
+#include "work/session.h"
 
 namespace wander {
 

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 
-#include "tools/failure.h"
-#include "tools/figure/style.h"
-#include "tools/figure/trajectory_figure.h"
-#include "tools/nearest.h"
-#include "tools/scene_source.h"
+#include "draw/figure/style.h"
+#include "draw/figure/trajectory_figure.h"
+#include "lab/failure.h"
+#include "lab/nearest.h"
+#include "lab/scene_source.h"
 
 namespace wander {
 

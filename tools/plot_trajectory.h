@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/output/trajectory_record.h"
+#include "records/trajectory_record.h"
 #include "tools/plot_options.h"
 
 namespace wander {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lab/wording.h"
 #include "tools/console.h"
-#include "tools/wording.h"
 
 namespace wander {
 

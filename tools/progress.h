@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "core/session.h"
 #include "tools/verb.h"
+#include "work/session.h"
 
 namespace wander {
 

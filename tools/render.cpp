@@ -7,18 +7,18 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/output/run_files.h"
-#include "core/output/run_json.h"
+#include "lab/failure.h"
+#include "lab/load_warning.h"
+#include "lab/methods.h"
+#include "lab/parsing.h"
+#include "lab/scene_source.h"
+#include "records/run_files.h"
+#include "records/run_json.h"
 #include "tools/console.h"
 #include "tools/dial_options.h"
-#include "tools/failure.h"
 #include "tools/interruption.h"
-#include "tools/load_warning.h"
-#include "tools/methods.h"
 #include "tools/output_place.h"
-#include "tools/parsing.h"
 #include "tools/progress.h"
-#include "tools/scene_source.h"
 #include "tools/summary.h"
 #include "tools/verb.h"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "mlt/replay.h"
+#include "lab/replay.h"
 
 namespace wander {
 

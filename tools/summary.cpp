@@ -7,11 +7,11 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/number_text.h"
-#include "core/output/film_statistics.h"
-#include "mlt/functional_words.h"
-#include "tools/reference_name.h"
-#include "tools/wording.h"
+#include "core/film_statistics.h"
+#include "lab/reference_name.h"
+#include "lab/wording.h"
+#include "mlt/watch/functional_words.h"
+#include "statistics/number_text.h"
 
 namespace wander {
 

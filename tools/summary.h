@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/rendering.h"
+#include "records/rendering.h"
 
 namespace wander {
 

@@ -9,23 +9,23 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "core/output/atomic_file.h"
-#include "core/output/trajectory_csv.h"
-#include "core/output/trajectory_netcdf.h"
+#include "lab/failure.h"
+#include "lab/nearest.h"
+#include "lab/parsing.h"
+#include "lab/scene_source.h"
+#include "lab/tracers.h"
+#include "lab/wording.h"
+#include "records/atomic_file.h"
+#include "records/trajectory_csv.h"
+#include "records/trajectory_netcdf.h"
 #include "tools/console.h"
 #include "tools/dial_options.h"
-#include "tools/failure.h"
 #include "tools/inspection.h"
 #include "tools/interruption.h"
-#include "tools/nearest.h"
 #include "tools/output_place.h"
-#include "tools/parsing.h"
 #include "tools/progress.h"
 #include "tools/replay_report.h"
-#include "tools/scene_source.h"
-#include "tools/tracers.h"
 #include "tools/verb.h"
-#include "tools/wording.h"
 
 namespace wander {
 

@@ -19,8 +19,8 @@
 #include <functional>
 #include <string>
 
+#include "lab/exit_code.h"
 #include "tools/examination.h"
-#include "tools/exit_code.h"
 
 namespace CLI {
 class App;

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/build_scene.h"
-#include "core/scene_file.h"
-#include "tools/gallery_scenes.h"
+#include "scenes/format/build_scene.h"
+#include "scenes/format/scene_file.h"
+#include "scenes/gallery_scenes.h"
 
 namespace wander {
 

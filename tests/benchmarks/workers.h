@@ -2,17 +2,17 @@
 #pragma once
 
 #include "core/film.h"
-#include "mlt/deposit.h"
-#include "mlt/functionals.h"
-#include "mlt/seed_pass.h"
-#include "mlt/statistics.h"
+#include "mlt/run/deposit.h"
+#include "mlt/seeds/seed_pass.h"
+#include "mlt/watch/functionals.h"
+#include "mlt/watch/statistics.h"
 #include "mutations/catalogue.h"
 
 namespace wander {
 
 using Light = Transport<Flatland>;
 
-// Bidirectional samples, as core/estimate.cpp makes them.  Each worker has a range of samples.
+// Bidirectional samples, as lab/estimate.cpp makes them.  Each worker has a range of samples.
 class SampleWorker {
  public:
   static constexpr int items_per_turn = 64;
@@ -42,7 +42,7 @@ class SampleWorker {
   std::uint64_t next_;
 };
 
-// Mutations of one chain, as mlt/render.h makes them.
+// Mutations of one chain, as lab/render.h makes them.
 class ChainWorker {
  public:
   static constexpr int items_per_turn = 128;

@@ -9,10 +9,10 @@
 #include <boost/math/distributions/students_t.hpp>
 
 #include "core/exact/radiosity.h"
-#include "core/scene_file.h"
+#include "lab/methods.h"
+#include "scenes/format/scene_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/statistics.h"
-#include "tools/methods.h"
 
 namespace wander::test {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/estimate.h"
 #include "core/rng.h"
+#include "lab/estimate.h"
 #include "tests/support/statistics.h"
 
 namespace wander::test {

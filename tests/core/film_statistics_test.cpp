@@ -1,6 +1,6 @@
 // What is told of a film beside its values: where its bins lie, how good it is, how near another
 // one.
-#include "core/output/film_statistics.h"
+#include "core/film_statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <locale>
 
-#include "core/output/csv.h"
+#include "records/csv.h"
 
 namespace wander {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/scaled.h"
-#include "core/sum.h"
+#include "statistics/sum.h"
 #include "tests/support/generator.h"
 
 namespace wander::test {

@@ -5,10 +5,10 @@
 
 #include <cmath>
 
-#include "core/build_scene.h"
-#include "core/estimate.h"
-#include "mlt/deposit.h"
+#include "lab/estimate.h"
+#include "mlt/run/deposit.h"
 #include "mutations/catalogue.h"
+#include "scenes/format/build_scene.h"
 #include "tests/support/invariance.h"
 #include "tests/support/test_scenes.h"
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mlt/seed_pass.h"
+#include "mlt/seeds/seed_pass.h"
 #include "tests/support/catalogue_kernels.h"
 #include "tests/support/expect.h"
 #include "tests/support/invariance.h"

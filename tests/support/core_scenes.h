@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/build_scene.h"
 #include "core/exact/plane.h"
+#include "scenes/format/build_scene.h"
 
 namespace wander::test {
 

@@ -1,4 +1,4 @@
-#include "core/build_scene.cpp"
+#include "scenes/format/build_scene.cpp"
 #include "tests/support/extended_world.h"
 
 namespace wander {

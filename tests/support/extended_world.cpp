@@ -1,10 +1,10 @@
 #include "tests/support/extended_world.h"
 
 // The definitions that the program makes for its own worlds.
-#include "core/bvh.cpp"
+#include "core/geometry/bvh.cpp"
+#include "core/geometry/shapes_flat.cpp"
 #include "core/material.cpp"
 #include "core/scene.cpp"
-#include "core/shapes_flat.cpp"
 #include "core/transport.cpp"
 
 namespace wander {

@@ -2,7 +2,7 @@
 // of freedom that the films state, with Šidák's correction over the bins that both call reliable.
 #pragma once
 
-#include "core/rendering.h"
+#include "records/rendering.h"
 #include "tests/support/statistics.h"
 
 namespace wander::test {

@@ -1,7 +1,7 @@
-// The test of invariance (mlt/invariance.h) as the tests of mutations call it.
+// The test of invariance (mlt/check/invariance.h) as the tests of mutations call it.
 #pragma once
 
-#include "mlt/invariance.h"
+#include "mlt/check/invariance.h"
 #include "mlt/mixture.h"
 #include "tests/support/statistics.h"
 

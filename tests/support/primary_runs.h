@@ -1,9 +1,9 @@
 // Renderings by pssmlt and mmlt, with either estimator or a twin of one.
 #pragma once
 
-#include "mlt/mmlt_group.h"
-#include "mlt/pssmlt_group.h"
-#include "mlt/render.h"
+#include "lab/render.h"
+#include "mlt/run/mmlt_group.h"
+#include "mlt/run/pssmlt_group.h"
 #include "mutations/catalogue.h"
 #include "mutations/kelemen.h"
 

@@ -1,5 +1,5 @@
-// The decisions that only tests make, beside those of core/decision.h: against exact values, of
-// whole distributions, and of proportions.
+// The decisions that only tests make, beside those of statistics/decision.h: against exact values,
+// of whole distributions, and of proportions.
 //
 // Every test takes the probability with which it may reject a correct program, for the whole family
 // of comparisons that it makes.  Bonferroni's rate α/m of each holds without independence.
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/decision.h"
+#include "statistics/decision.h"
 
 namespace wander::test {
 

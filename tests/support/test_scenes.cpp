@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "core/build_scene.h"
+#include "scenes/format/build_scene.h"
 
 namespace wander::test {
 

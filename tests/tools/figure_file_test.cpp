@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <regex>
 
+#include "tests/draw/figure/figure_checks.h"
 #include "tests/tools/command_line.h"
-#include "tests/tools/figure_checks.h"
 
 namespace wander {
 namespace {

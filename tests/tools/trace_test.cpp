@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "core/output/trajectory_netcdf.h"
+#include "records/trajectory_netcdf.h"
 #include "tests/tools/command_line.h"
 
 namespace wander::test {

@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <string_view>
 
-#include "core/output/version.h"
+#include "records/version.h"
 #include "tools/application.h"
 #include "tools/packaging/option_table.h"
 

@@ -4,9 +4,9 @@
 #include <span>
 #include <string_view>
 
-#include "tools/gallery_scenes.h"
-#include "tools/methods.h"
-#include "tools/tracers.h"
+#include "lab/methods.h"
+#include "lab/tracers.h"
+#include "scenes/gallery_scenes.h"
 
 namespace wander::packaging {
 

@@ -5,7 +5,7 @@
 #include <exception>
 #include <filesystem>
 
-#include "core/output/atomic_file.h"
+#include "records/atomic_file.h"
 #include "tools/application.h"
 #include "tools/console.h"
 #include "tools/packaging/completions.h"

@@ -1,4 +1,4 @@
-"""What `wander compare` wrote in compare.json (tools/compare/comparison.h says what it means)."""
+"""What `wander compare` wrote in compare.json (lab/compare/comparison.h says what it means)."""
 import math
 from dataclasses import dataclass
 

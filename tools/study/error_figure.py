@@ -7,7 +7,7 @@ import math
 
 from study.svg import FAINT, LABEL_SIZE, NEUTRAL, PAGE_WIDTH, Svg, number
 
-# The palette and dashes of films in the program's figures (tools/figure/style.h).
+# The palette and dashes of films in the program's figures (draw/figure/style.h).
 STROKES = {"mlt": ("#0072b2", "none"), "bdpt": ("#d55e00", "4 1.6"), "lt": ("#009e73", "1.3 1.3"),
            "pt": ("#cc79a7", "6 1.5 1.3 1.5"), "pssmlt": ("#e69f00", "2.6 1.3"), "mmlt": ("#56b4e9", "6 1.2 1.2 1.2")}
 LETTERS = {"mlt": "M", "bdpt": "B", "lt": "L", "pt": "P", "pssmlt": "S", "mmlt": "X"}

@@ -1,6 +1,6 @@
 """A small writer of SVG: lengths in points, text escaped, attributes by name (`_` stands for `-`).
 
-Colours and sizes are those of the figures of the program (tools/figure/style.h).
+Colours and sizes are those of the figures of the program (draw/figure/style.h).
 """
 from xml.sax.saxutils import escape, quoteattr
 

@@ -1,0 +1,202 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "lab/compare/comparison_fields.h"
+#include "lab/compare/comparison_json.h"
+#include "records/run_json.h"
+
+namespace wander::compare {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+void read(double& value, const ordered_json& json) {
+  value = json.is_null() ? not_known : json.get<double>();
+}
+
+void read(Measured& measured, const ordered_json& json) {
+  read(measured.value, json.at("value"));
+  read(measured.interval.low, json.at("low"));
+  read(measured.interval.high, json.at("high"));
+}
+
+template <class Record, class Value, std::size_t n>
+void read_fields(Record& record, const ordered_json& json,
+                 const std::array<Field<Record, Value>, n>& fields) {
+  for (const auto& field : fields) read(record.*field.member, json.at(field.name));
+}
+
+void read(Contender& contender, const ordered_json& json) {
+  contender = {json.at("label"), json.at("method"), json.at("dial"), json.at("setting")};
+}
+
+void read(Cell& cell, const ordered_json& json) {
+  cell.contender = json.at("contender");
+  cell.budget = json.at("budget");
+  cell.replicates = json.at("replicates");
+  read_fields(cell, json, cell_fields);
+  read_fields(cell, json, cell_numbers);
+}
+
+void read(Curve& curve, const ordered_json& json) {
+  curve.contender = json.at("contender");
+  curve.inverse_root = json.at("inverse_root");
+  read_fields(curve, json, curve_fields);
+}
+
+void read(Crossing& crossing, const ordered_json& json) {
+  crossing.ahead = json.at("ahead");
+  crossing.behind = json.at("behind");
+  crossing.significant = json.at("significant");
+  read(crossing.p_value, json.at("p_value"));
+  read_fields(crossing, json, crossing_fields);
+}
+
+void read(std::vector<double>& values, const ordered_json& json) {
+  for (const ordered_json& value : json) read(values.emplace_back(), value);
+}
+
+void read(Profile& profile, const ordered_json& json) {
+  profile.contender = json.at("contender");
+  read(profile.seconds, json.at("seconds"));
+  read(profile.share, json.at("share"));
+}
+
+void read(Run& run, const ordered_json& json) {
+  run.contender = json.at("contender");
+  run.budget = json.at("budget");
+  run.replicate = json.at("replicate");
+  run.seed = json.at("seed");
+  run.samples = json.at("samples");
+  read(run.seconds, json.at("seconds"));
+  read(run.processor_seconds, json.value("cpu_seconds", ordered_json()));
+  read(run.seed_seconds, json.at("seed_seconds"));
+  run.seed_samples = json.at("seed_samples");
+  run.command = json.at("command");
+  run.film = film_from_json(json.at("film"));
+}
+
+void read(FailedRun& run, const ordered_json& json) {
+  run.contender = json.at("contender");
+  run.budget = json.at("budget");
+  run.replicate = json.at("replicate");
+  run.seed = json.at("seed");
+  run.message = json.at("message");
+}
+
+template <class Record>
+void read(std::vector<Record>& records, const ordered_json& json) {
+  if (!json.is_array()) throw std::runtime_error("a list is something else");
+  for (const ordered_json& entry : json) read(records.emplace_back(), entry);
+}
+
+Runs runs_from(const ordered_json& json, const std::string& place) {
+  Runs runs;
+  const ordered_json& scene = json.at("scene");
+  runs.provenance = {scene.at("name"),      scene.at("text"),        scene.at("sha256"),
+                     json.at("dimension"),  json.at("command_line"), json.at("version"),
+                     origin_from_json(json)};
+  runs.complete = json.at("complete");
+  runs.warnings = json.at("warnings").get<std::vector<std::string>>();
+  read(runs.contenders, json.at("contenders"));
+  runs.budgets = json.at("budgets").get<std::vector<std::string>>();
+  runs.replicates = json.at("replicates");
+  runs.time = json.value("time", "wall") == "cpu" ? TimeKind::processor : TimeKind::wall;
+  runs.reference.origin = json.at("reference").at("origin");
+  runs.reference.film = film_from_json(json.at("reference").at("film"));
+  read(runs.runs, json.at("runs"));
+  read(runs.failures, json.at("failures"));
+  for (const ordered_json& run : json.at("details"))
+    runs.details.push_back(run_from_json(run, place).rendering);
+  return runs;
+}
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::runtime_error(what);
+}
+
+// What is drawn from a comparison relies on its indices and sizes.
+void require_consistent(const Comparison& c) {
+  const std::size_t contenders = c.runs.contenders.size(), budgets = c.runs.budgets.size();
+  const std::size_t bins = c.runs.reference.film.value.size();
+  const auto known = [&](const auto& record) { return record.contender < contenders; };
+  require(c.decisive < std::max(budgets, std::size_t{1}), "its decisive budget does not exist");
+  require(c.cells.size() == contenders * budgets, "its cells are not one for each budget");
+  for (std::size_t i = 0; i < c.cells.size(); ++i)
+    require(c.cells[i].contender == i / budgets && c.cells[i].budget == i % budgets,
+            "its cells are in another order");
+  for (std::size_t i = 0; i < c.curves.size(); ++i)
+    require(c.curves[i].contender == i, "its curves are in another order");
+  require(c.curves.size() == (budgets > 0 ? contenders : 0), "its curves are not one each");
+  require(std::ranges::all_of(c.profiles, known), "a profile is of an unknown contender");
+  for (const Profile& profile : c.profiles)
+    require(profile.seconds.size() == profile.share.size(), "a profile's lists differ in length");
+  for (const Crossing& crossing : c.crossings)
+    require(crossing.ahead < contenders && crossing.behind < contenders,
+            "a crossing is of an unknown contender");
+  std::vector<std::size_t> ranked = c.ranking;
+  std::ranges::sort(ranked);
+  require(ranked.size() == c.curves.size(), "its ranking does not name each contender once");
+  for (std::size_t i = 0; i < ranked.size(); ++i)
+    require(ranked[i] == i, "its ranking does not name each contender once");
+  for (const Run& run : c.runs.runs)
+    require(known(run) && run.budget < budgets, "a run is of an unknown contender or budget");
+  require(std::ranges::all_of(c.runs.failures, known), "a failed run is of an unknown contender");
+  for (const Run& run : c.runs.runs)
+    require(run.film.value.size() == bins, "a film is not as large as the reference");
+}
+
+Comparison read_comparison(const ordered_json& json, const std::string& place) {
+  if (json.at("schema") != comparison_schema) throw std::runtime_error("its schema is another");
+  Comparison comparison;
+  comparison.runs = runs_from(json, place);
+  for (const ordered_json& run : json.at("runs"))
+    read_fields(comparison.errors.emplace_back(), run.at("errors"), error_fields);
+  read(comparison.target, json.at("target"));
+  comparison.decisive = json.at("decisive_budget");
+  read(comparison.cells, json.at("cells"));
+  read(comparison.curves, json.at("curves"));
+  read(comparison.crossings, json.at("crossings"));
+  read(comparison.profiles, json.at("profiles"));
+  comparison.ranking = json.at("ranking").get<std::vector<std::size_t>>();
+  comparison.verdict = json.at("verdict").get<std::vector<std::string>>();
+  comparison.cautions = json.at("cautions").get<std::vector<std::string>>();
+  require_consistent(comparison);
+  return comparison;
+}
+
+}  // namespace
+
+Comparison comparison_from_json(const ordered_json& document, const std::string& place) {
+  try {
+    return read_comparison(document, place);
+  } catch (const std::exception& problem) {
+    throw RunFileError(fmt::format("{}: not a comparison of schema {}: {}", place,
+                                   comparison_schema, problem.what()));
+  }
+}
+
+std::optional<Comparison> find_comparison(const std::filesystem::path& path) {
+  std::error_code unreachable;
+  if (std::filesystem::is_directory(path, unreachable)) {
+    const std::filesystem::path file = path / "compare.json";
+    return std::filesystem::exists(file, unreachable) ? find_comparison(file) : std::nullopt;
+  }
+  if (!std::filesystem::is_regular_file(path, unreachable)) return std::nullopt;
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw RunFileError(fmt::format("{}: cannot be read", path.string()));
+  const auto document = ordered_json::parse(text, nullptr, false);
+  if (!document.is_object() || !document.contains("schema") ||
+      document["schema"] != comparison_schema)
+    return std::nullopt;
+  return comparison_from_json(document, path.string());
+}
+
+}  // namespace wander::compare

@@ -1,0 +1,111 @@
+#include "lab/compare/measure.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "lab/compare/schedule.h"
+#include "lab/failure.h"
+#include "lab/parsing.h"
+#include "lab/render.h"
+
+namespace wander::compare {
+
+namespace {
+
+std::string command_of(const Plan& plan, const Turn& turn) {
+  const Entrant& entrant = plan.entrants[turn.contender];
+  std::vector<std::string> words{"wander",
+                                 "render",
+                                 plan.source,
+                                 "-m",
+                                 entrant.contender.method,
+                                 "-b",
+                                 plan.budgets[turn.budget].text};
+  for (const Setting& setting : entrant.settings) {
+    words.push_back(setting.dial->option());
+    words.push_back(setting.value);
+  }
+  words.insert(words.end(), {"-s", std::to_string(turn.seed)});
+  if (plan.threads > 0) words.insert(words.end(), {"-t", std::to_string(plan.threads)});
+  words.insert(words.end(), {"-o", "run"});
+  std::vector<const char*> pointers;
+  for (const std::string& word : words) pointers.push_back(word.c_str());
+  return quoted_for_shell(static_cast<int>(pointers.size()), pointers.data());
+}
+
+Run run_of(const Plan& plan, const Turn& turn, const Rendering& rendering) {
+  return {.contender = turn.contender,
+          .budget = turn.budget,
+          .replicate = turn.replicate,
+          .seed = turn.seed,
+          .samples = rendering.samples,
+          .seconds = rendering.seconds,
+          .seed_seconds = rendering.seed_seconds,
+          .seed_samples = seed_samples_of(rendering),
+          .film = rendering.film,
+          .command = command_of(plan, turn),
+          .processor_seconds = rendering.processor_seconds};
+}
+
+std::string name_of(const Plan& plan, const Turn& turn) {
+  return fmt::format("{} {}, replicate {} of {}", plan.entrants[turn.contender].contender.label,
+                     plan.budgets[turn.budget].text, turn.replicate + 1, plan.replicates);
+}
+
+}  // namespace
+
+double reference_effort(const Plan& plan) {
+  return 3 * static_cast<double>(plan.replicates) * effort_of(plan.budgets.back().budget);
+}
+
+std::uint64_t seed_samples_of(const Rendering& rendering) {
+  if (!rendering.normalization) return 0;
+  const auto& estimates = rendering.normalization->estimates;
+  const auto found = estimates.find("seed_pass");
+  return found == estimates.end() ? 0 : found->second.samples;
+}
+
+void require_few_enough(const Plan& plan) {
+  const std::size_t runs = plan.entrants.size() * plan.budgets.size() * plan.replicates;
+  if (runs > most_runs)
+    throw UsageError(fmt::format("{} runs: a comparison makes at most {}", runs, most_runs));
+}
+
+double effort_of(const Plan& plan) {
+  double of_one = 0;
+  for (const NamedBudget& budget : plan.budgets) of_one += effort_of(budget.budget);
+  return of_one * static_cast<double>(plan.entrants.size() * plan.replicates);
+}
+
+Runs prepared(const Plan& plan, Provenance provenance) {
+  Runs runs{.provenance = std::move(provenance), .replicates = plan.replicates};
+  for (const Entrant& entrant : plan.entrants) runs.contenders.push_back(entrant.contender);
+  for (const NamedBudget& budget : plan.budgets) runs.budgets.push_back(budget.text);
+  runs.details.resize(plan.entrants.size());
+  runs.time = time_kind_of(plan.budgets.back().budget);
+  return runs;
+}
+
+void measure(const Plan& plan, Course& course, Runs& runs) {
+  const Grid grid{plan.entrants.size(), plan.budgets.size(), plan.replicates};
+  for (const Turn& turn : schedule(grid, plan.seed)) {
+    runs.complete = !course.is_interrupted();
+    if (!runs.complete) return;
+    try {
+      Rendering rendering =
+          course.render(plan.entrants[turn.contender], plan.budgets[turn.budget].budget, turn.seed,
+                        name_of(plan, turn));
+      runs.complete = rendering.complete;
+      if (!runs.complete) return;
+      runs.runs.push_back(run_of(plan, turn, rendering));
+      if (turn.replicate == 0 && turn.budget + 1 == plan.budgets.size())
+        runs.details[turn.contender] = std::move(rendering);
+    } catch (const NoLightFound& dark) {
+      runs.failures.push_back(
+          {turn.contender, turn.budget, turn.replicate, turn.seed, dark.what()});
+    }
+  }
+}
+
+}  // namespace wander::compare

@@ -1,0 +1,41 @@
+// Makes the runs of a comparison.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lab/compare/budgets.h"
+#include "lab/compare/course.h"
+#include "lab/compare/lineup.h"
+#include "lab/compare/runs.h"
+
+namespace wander::compare {
+
+struct Plan {
+  std::string source;  // SCENE, as typed
+  std::vector<Entrant> entrants;
+  std::vector<NamedBudget> budgets;
+  std::size_t replicates = 8;
+  std::uint64_t seed = 1;
+  int threads = 0;  // 0: all cores
+};
+
+// Throws UsageError where there would be more runs than seeds (most_runs).
+void require_few_enough(const Plan& plan);
+
+// The sum of all budgets (effort_of).
+double effort_of(const Plan& plan);
+
+// Of the long runs that make a reference: 3 × replicates × the largest budget (long_reference.h).
+double reference_effort(const Plan& plan);
+
+// Of the seed pass; 0 for independent samples.
+std::uint64_t seed_samples_of(const Rendering& rendering);
+
+// What the plan says of the runs, before there are any.
+Runs prepared(const Plan& plan, Provenance provenance);
+
+// Turn after turn (schedule()); an interruption drops the run that it hits and ends the rest.
+void measure(const Plan& plan, Course& course, Runs& runs);
+
+}  // namespace wander::compare

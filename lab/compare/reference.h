@@ -1,0 +1,29 @@
+// What errors are measured against, and how well it is known, where nothing need be sampled for it:
+//
+//   a file   a film that was made before
+//   exact    where the scene is diffuse: core/exact/diffuse_film.h
+//
+// Else it is made of long runs (long_reference.h).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/description.h"
+#include "lab/compare/runs.h"
+
+namespace wander::compare {
+
+// Throws UsageError where no film of this shape is in it, RunFileError where it cannot be read.
+Reference reference_from_file(const std::filesystem::path& file, const std::vector<int>& shape,
+                              const Provenance& scene, std::vector<std::string>& warnings);
+
+// None where the scene is not diffuse, or not known exactly enough; `why` then says so.
+std::optional<Reference> exact_reference(const description::Scene& scene, std::string& why);
+
+// Of which nothing is known: a film of unknown values.
+Reference no_reference(const std::vector<int>& shape);
+
+}  // namespace wander::compare

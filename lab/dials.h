@@ -1,0 +1,54 @@
+// The dials of the trade between speed and accuracy, each by the word under which `render` takes it
+// as an option (--large-step 0.3) and `compare` sweeps it (--sweep large_step=0.1,0.3).
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "lab/precision.h"
+#include "mlt/run/chain_settings.h"
+#include "mutations/catalogue.h"
+
+namespace wander {
+
+// What the steps of pssmlt and mmlt deposit (mlt/primary/primary_estimator.h).
+enum class StepEstimator { usual, kelemen, expected };
+// Of pssmlt Kelemen's, as published; of mmlt expected values.
+StepEstimator usual_estimator(std::string_view method);
+
+struct Dials {
+  MutationWeights mutations{};                     // of mlt; empty: auto
+  StepEstimator estimator = StepEstimator::usual;  // of pssmlt and mmlt
+  std::optional<int> max_vertices{};               // of the paths; none: what the scene says
+  ChainSettings chains{};                          // of the Markov chain methods
+  Precision precision = Precision::of_double;      // of scattering, densities and sampling
+  double large_step = default_large_step;          // of the primary steps, the share that is large
+  double kernel = 1;                               // a factor on how far small moves go
+
+  FamilySettings family() const { return {mutations, large_step, kernel}; }
+  bool operator==(const Dials&) const = default;
+};
+
+// A dial as the command line knows it.
+struct Dial {
+  std::string_view word;   // "large_step"
+  std::string_view value;  // what stands for its value in the help: "P"
+  std::string help;
+  // Why a method does not have it; empty if it has.
+  std::string_view (*missing)(std::string_view method);
+  void (*set)(Dials& dials, std::string_view text);  // throws UsageError
+
+  std::string option() const;  // "--large-step"
+};
+std::span<const Dial> dials();
+
+// Throws UsageError, with the nearest known word, where there is no such dial.
+const Dial& find_dial(std::string_view word);
+// Throws UsageError if the method does not have the dial.
+void require_dial(const Dial& dial, std::string_view method);
+// Throws UsageError if the scene does not fit into the precision.
+void require_precision(Precision precision, const description::Scene& scene);
+
+}  // namespace wander

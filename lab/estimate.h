@@ -1,0 +1,24 @@
+// Monte Carlo estimation of the film by independent samples of paths: path tracing, light tracing
+// and bidirectional path tracing are the same estimator with different techniques.
+#pragma once
+
+#include "core/path_sampler.h"
+#include "records/rendering.h"
+#include "work/session.h"
+
+namespace wander {
+
+struct Estimator {
+  const char* name;
+  TechniqueSet techniques;
+  Roulette roulette;
+  Heuristic heuristic;
+};
+
+// pt, lt, bdpt, and the forms of Kajiya 1986 and Arvo 1990 without connections, pt-naive, lt-naive.
+std::span<const Estimator> estimators();
+
+template <World W>
+Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Session& session);
+
+}  // namespace wander

@@ -1,0 +1,70 @@
+#include "lab/method_check.h"
+
+#include "lab/methods.h"
+#include "lab/render.h"
+
+namespace wander {
+
+namespace {
+
+// Methods with the same seed share their random walks; their films would not be independent.
+Session with_own_numbers(Session session, std::uint64_t method) {
+  session.seed += 0x9E3779B97F4A7C15 * (method + 1);
+  return session;
+}
+
+MethodCheck untested(std::string method, std::string reason) {
+  return {.method = std::move(method), .reason = std::move(reason)};
+}
+
+}  // namespace
+
+std::vector<std::string_view> checked_methods() { return {"pt", "lt", "mlt"}; }
+
+MethodCheck compare_films(std::string method, const FilmEstimate& film,
+                          const FilmEstimate& reference, double false_alarm) {
+  std::vector<Measurement> a, b;
+  std::vector<std::size_t> bins;
+  for (std::size_t i = 0; i < film.value.size(); ++i) {
+    if (!film.reliable[i] || !reference.reliable[i]) continue;
+    a.push_back({film.value[i], film.standard_error[i], film.degrees_of_freedom});
+    b.push_back({reference.value[i], reference.standard_error[i], reference.degrees_of_freedom});
+    bins.push_back(i);
+  }
+  if (bins.empty())
+    return untested(std::move(method),
+                    "no bin of both films is reliable; a larger --samples may make some so");
+  Decision decision = welch_tests(a, b, false_alarm);
+  decision.worst = bins[decision.worst];
+  return {.method = std::move(method),
+          .verdict = decision.passed ? Verdict::passed : Verdict::failed,
+          .decision = decision,
+          .bins = film.value.size()};
+}
+
+std::vector<MethodCheck> check_methods(const description::Scene& scene, const Dials& dials,
+                                       const Session& session, double false_alarm,
+                                       const std::function<void()>& done) {
+  const Rendering reference = render(scene, reference_method, {}, with_own_numbers(session, 0));
+  done();
+  std::vector<MethodCheck> checks;
+  for (const std::string_view method : checked_methods()) {
+    const std::string name(method);
+    if (!sees_all_light(method, scene)) {
+      checks.push_back(untested(
+          name, "it cannot find paths that reach the camera from a mirror or from smooth glass"));
+    } else {
+      try {
+        const Rendering rendering =
+            render(scene, method, dials, with_own_numbers(session, checks.size() + 1));
+        checks.push_back(compare_films(name, rendering.film, reference.film, false_alarm));
+      } catch (const NoLightFound& dark) {
+        checks.push_back(untested(name, dark.what()));
+      }
+    }
+    done();
+  }
+  return checks;
+}
+
+}  // namespace wander

@@ -1,0 +1,40 @@
+#include "lab/wording.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "statistics/number_text.h"
+
+namespace wander {
+
+std::string count_in_words(double count) {
+  // Three digits: from 999.5 of one unit on, rounding gives the next.
+  if (count >= 999.5e6) return number_text(count / 1e9) + " G";
+  if (count >= 999.5e3) return number_text(count / 1e6) + " M";
+  if (count >= 1e4) return number_text(count / 1e3) + " k";
+  return fmt::format("{:.0f}", count);
+}
+
+std::string duration_in_words(double seconds) {
+  if (seconds < 10) return number_text(seconds, 2) + " s";
+  if (seconds < 60) return fmt::format("{:.0f} s", seconds);
+  const double minutes = std::floor(seconds / 60);
+  if (minutes < 60)
+    return fmt::format("{:.0f} min {:.0f} s", minutes, std::floor(seconds - 60 * minutes));
+  const double hours = std::floor(minutes / 60);
+  return fmt::format("{:.0f} h {:.0f} min", hours, minutes - 60 * hours);
+}
+
+std::string percent(double share) {
+  return std::isfinite(share) ? number_text(100 * share) + " %" : "unknown";
+}
+
+std::string with_error(const Estimate& estimate) {
+  if (!std::isfinite(estimate.standard_error))
+    return number_text(estimate.value, 6) + " (error unknown)";
+  return fmt::format("{} ± {}", number_text(estimate.value, 6),
+                     number_text(estimate.standard_error, 2));
+}
+
+}  // namespace wander

@@ -1,0 +1,7 @@
+#include "lab/world_methods.h"
+
+namespace wander {
+
+template class WorldMethods<FlatlandSingle>;
+
+}  // namespace wander

@@ -1,0 +1,7 @@
+#include "lab/world_tracers.h"
+
+namespace wander {
+
+template class WorldTracers<Flatland>;
+
+}  // namespace wander

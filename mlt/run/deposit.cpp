@@ -1,0 +1,66 @@
+#include "mlt/run/deposit.h"
+
+#include <cmath>
+#include <limits>
+
+namespace wander {
+
+namespace {
+
+int cells(const std::vector<int>& resolution) {
+  int n = 1;
+  for (const int r : resolution) n *= r;
+  return n;
+}
+
+}  // namespace
+
+GroupsFilm::GroupsFilm(std::vector<int> resolution)
+    : resolution_(std::move(resolution)),
+      mean_(static_cast<std::size_t>(cells(resolution_))),
+      squares_(mean_.size()) {}
+
+void GroupsFilm::add(const GroupFilm& film, double b, std::uint64_t steps) {
+  const double scale = b * static_cast<double>(film.bins()) / static_cast<double>(steps);
+  ++groups_;
+  for (std::size_t i = 0; i < mean_.size(); ++i) {
+    const double value = scale * film.weight(i), delta = value - mean_[i];
+    mean_[i] += delta / groups_;
+    squares_[i] += delta * (value - mean_[i]);
+  }
+  for (const auto& [vertices, values] : film.lengths().scaled(scale)) {
+    auto& sum = lengths_[vertices];
+    sum.resize(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) sum[i] += values[i];
+  }
+}
+
+void GroupsFilm::add_dark_group() {
+  ++groups_;
+  for (std::size_t i = 0; i < mean_.size(); ++i) {
+    const double delta = -mean_[i];
+    mean_[i] += delta / groups_;
+    squares_[i] += delta * (0 - mean_[i]);
+  }
+}
+
+// A bin is reliable when its value is known as well as `fewest_effective_samples` independent
+// events would tell it.
+FilmEstimate GroupsFilm::estimate() const {
+  FilmEstimate film{.shape = resolution_, .value = mean_};
+  film.degrees_of_freedom = std::max(0, groups_ - 1);
+  const double pairs = static_cast<double>(groups_) * (groups_ - 1);
+  for (std::size_t i = 0; i < mean_.size(); ++i) {
+    const double variance = squares_[i] / pairs;
+    film.standard_error.push_back(groups_ > 1 ? std::sqrt(variance)
+                                              : std::numeric_limits<double>::quiet_NaN());
+    film.reliable.push_back(groups_ >= fewest_groups && mean_[i] > 0 &&
+                            mean_[i] * mean_[i] >= fewest_effective_samples * variance);
+  }
+  film.by_length = lengths_;
+  for (auto& [vertices, values] : film.by_length)
+    for (double& value : values) value /= groups_;
+  return film;
+}
+
+}  // namespace wander

@@ -1,0 +1,34 @@
+// What one group of chains found: everything that the normalization of a film and its error bars
+// are made of.  Groups are independent of each other.
+#pragma once
+
+#include <vector>
+
+#include "mlt/run/deposit.h"
+#include "mlt/seeds/seed_pass.h"
+
+namespace wander {
+
+// The chains' side of the comparison with the seed pass, by stratum (seeds.h): the ratios f / p̄ of
+// all states, each of which weighs so much among the states of all groups.
+struct StateRatios {
+  const RatioHistogram* ratios = nullptr;
+  double weight = 0;
+};
+
+// So much light was found in paths of a class, in the unit of the film's deposits.
+struct ClassLight {
+  PathClass path_class = other_class;
+  double light = 0;
+};
+
+struct GroupFindings {
+  const SeedTally* seeds;
+  const SeedEvidence* evidence;
+  const GroupFilm* film;
+  double scale;  // makes of deposits an estimate of the light that falls on a bin
+  std::vector<StateRatios> states{};
+  std::vector<ClassLight> classes{};  // empty where states have no class
+};
+
+}  // namespace wander

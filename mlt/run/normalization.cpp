@@ -1,0 +1,175 @@
+#include "mlt/run/normalization.h"
+
+#include <cmath>
+#include <limits>
+
+#include "mlt/run/bridge.h"
+#include "mlt/run/film_fit.h"
+#include "statistics/jackknife.h"
+
+namespace wander {
+
+namespace {
+
+Estimate mean(const Sum& sum, const Sum& squares, std::uint64_t samples) {
+  const double n = static_cast<double>(samples), m = sum.value() / n;
+  if (samples < 2) return {m, std::numeric_limits<double>::quiet_NaN()};
+  const double variance = std::max(0.0, squares.value() / n - m * m) / (n - 1);
+  return {m, std::sqrt(variance)};
+}
+
+SeedTally merged(std::span<const GroupFindings> groups) {
+  SeedTally tally = *groups.front().seeds;
+  for (const GroupFindings& group : groups.subspan(1)) tally.merge(*group.seeds);
+  return tally;
+}
+
+Constant from_seed_pass(std::span<const GroupFindings> groups) {
+  const SeedTally tally = merged(groups);
+  Constant constant{.b = mean(tally.total, tally.total_squares, tally.samples),
+                    .effective_samples = tally.effective_samples(),
+                    .degrees_of_freedom = std::max(0.0, static_cast<double>(tally.samples) - 1)};
+  for (const GroupFindings& group : groups) {
+    const auto rest = static_cast<double>(tally.samples - group.seeds->samples);
+    constant.without.push_back((tally.total.value() - group.seeds->total.value()) / rest);
+  }
+  return constant;
+}
+
+std::vector<double> values(std::span<const Sum> sums) {
+  std::vector<double> result;
+  for (const Sum& sum : sums) result.push_back(sum.value());
+  return result;
+}
+
+double degrees_of(const Constant& constant) {
+  std::vector<double> deviations;
+  for (const double b : constant.without)
+    deviations.push_back((b - constant.b.value) * (b - constant.b.value));
+  return jackknife_degrees(deviations);
+}
+
+Constant from_least_squares(std::span<const GroupFindings> groups) {
+  std::vector<FilmFitGroup> films;
+  for (const GroupFindings& group : groups) {
+    FilmFitGroup& film =
+        films.emplace_back(values(group.evidence->film), static_cast<double>(group.seeds->samples));
+    for (std::size_t bin = 0; bin < group.film->bins(); ++bin)
+      film.deposits.push_back(group.scale * group.film->weight(bin));
+  }
+  FilmFit fit = fit_films(films);
+  if (!fit.failure.empty()) return {.failure = fit.failure};
+  Constant constant{.b = {fit.b, jackknife_error(fit.without)},
+                    .without = std::move(fit.without),
+                    .effective_samples = merged(groups).effective_samples()};
+  constant.degrees_of_freedom = degrees_of(constant);
+  return constant;
+}
+
+// b = Σ over the strata, which are independent targets; one in which nothing was found is dark.
+Constant from_bridge(std::span<const GroupFindings> groups) {
+  Constant constant{.b = {0, 0}, .without = std::vector<double>(groups.size())};
+  for (std::size_t k = 0; k < groups.front().states.size(); ++k) {
+    std::vector<BridgeGroup> sides;
+    double found = 0;
+    for (const GroupFindings& group : groups) {
+      const RatioHistogram& ratios = group.evidence->ratios[k];
+      sides.push_back({&ratios, static_cast<double>(group.seeds->samples), group.states[k].ratios,
+                       group.states[k].weight});
+      found += ratios.count();
+    }
+    if (found == 0) continue;
+    const BridgeFit fit = bridge(sides);
+    if (!fit.failure.empty()) return {.failure = fit.failure};
+    constant.b.value += fit.b;
+    constant.effective_samples += fit.effective_samples;
+    for (std::size_t g = 0; g < groups.size(); ++g) constant.without[g] += fit.without[g];
+  }
+  constant.b.standard_error = jackknife_error(constant.without);
+  constant.degrees_of_freedom = degrees_of(constant);
+  return constant;
+}
+
+void add_estimate(Normalization& record, NormalizationMethod method, const Constants& constants,
+                  std::uint64_t samples) {
+  const Constant& constant = constants[method];
+  record.estimates[std::string(name_of(method))] = {constant.b, samples,
+                                                    constant.degrees_of_freedom, constant.failure};
+}
+
+// b · Σ_g L_gn / Σ_g Σ_n L_gn of the light L_gn that group g found in paths of n vertices.
+std::vector<LengthShare> shares_of_lengths(std::span<const GroupFindings> groups,
+                                           const Constant& constant) {
+  std::vector<std::vector<double>> light;
+  for (const GroupFindings& group : groups) {
+    light.push_back(values(group.film->by_length()));
+    for (double& value : light.back()) value *= group.scale;
+  }
+  const RatioJackknife film(light);
+  std::vector<LengthShare> shares;
+  for (std::size_t k = 0; k < light.front().size(); ++k) {
+    if (film.value(k) == 0) continue;
+    shares.push_back({{constant.b.value * film.value(k), film.error(k, constant.without)},
+                      static_cast<int>(k) + 2});
+  }
+  return shares;
+}
+
+}  // namespace
+
+std::string_view name_of(NormalizationMethod method) {
+  constexpr std::array<std::string_view, 3> names{"seed_pass", "least_squares", "bridge"};
+  return names[static_cast<std::size_t>(method)];
+}
+
+const Constant& Constants::operator[](NormalizationMethod method) const {
+  switch (method) {
+    case NormalizationMethod::least_squares:
+      return least_squares;
+    case NormalizationMethod::bridge:
+      return bridge;
+    case NormalizationMethod::seed_pass:
+      break;
+  }
+  return seed_pass;
+}
+
+NormalizationMethod Constants::usable(NormalizationMethod method) const {
+  return (*this)[method].failure.empty() ? method : NormalizationMethod::seed_pass;
+}
+
+Constants constants(std::span<const GroupFindings> groups) {
+  return {from_seed_pass(groups), from_least_squares(groups), from_bridge(groups)};
+}
+
+Normalization normalization(std::span<const GroupFindings> groups, const Constants& constants,
+                            NormalizationMethod method) {
+  const NormalizationMethod used = constants.usable(method);
+  const SeedTally tally = merged(groups);
+  Normalization record = normalization(tally);
+  static_cast<Estimate&>(record) = constants[used].b;
+  record.method = name_of(used);
+  for (const auto each : {NormalizationMethod::seed_pass, NormalizationMethod::least_squares,
+                          NormalizationMethod::bridge})
+    add_estimate(record, each, constants, tally.samples);
+  if (used != NormalizationMethod::seed_pass)
+    record.by_length = shares_of_lengths(groups, constants[used]);
+  return record;
+}
+
+Normalization normalization(const SeedTally& tally) {
+  Normalization b;
+  static_cast<Estimate&>(b) = mean(tally.total, tally.total_squares, tally.samples);
+  b.method = name_of(NormalizationMethod::seed_pass);
+  b.estimates[b.method] = {{b.value, b.standard_error},
+                           tally.samples,
+                           std::max(0.0, static_cast<double>(tally.samples) - 1)};
+  for (std::size_t k = 0; k < tally.sum.size(); ++k) {
+    if (tally.sum[k].value() == 0) continue;
+    b.by_length.push_back(
+        {mean(tally.sum[k], tally.squares[k], tally.samples), static_cast<int>(k) + 2});
+  }
+  return b;
+}
+
+}  // namespace wander

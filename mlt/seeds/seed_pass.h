@@ -1,0 +1,172 @@
+// The seed pass: independent bidirectional samples that estimate b and give every chain its first
+// path [Veach 1997, 11.3.1; Veach and Guibas 1997].
+//
+// Chains come in independent groups, each with a slice of the samples of its own.  In a slice,
+//   b_g = mean of Σ w f/p,   seeds drawn from its paths in proportion to w f / p,
+// and b_g times the mean of what its chains deposit is unbiased for any length of the chains.  No
+// Russian roulette.  Seeds are found in one sweep by weighted reservoirs; only the sample's index
+// is kept, and the path is made again from its random numbers.
+#pragma once
+
+#include <stdexcept>
+
+#include "core/path_class.h"
+#include "core/path_sampler.h"
+#include "core/technique_table.h"
+#include "mlt/primary/primary_numbers.h"
+#include "mlt/seeds/ratio_histogram.h"
+#include "mlt/seeds/seeds.h"
+#include "statistics/sum.h"
+
+namespace wander {
+
+class SeedReplayError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// Σ and Σ² over samples, of all paths and of each length.
+struct SeedTally {
+  std::uint64_t samples = 0;
+  std::vector<Sum> sum, squares;  // by vertices - 2
+  Sum total, total_squares;
+  TechniqueTable techniques;  // Σ w f/p of each
+
+  explicit SeedTally(int max_vertices)
+      : sum(static_cast<std::size_t>(max_vertices) - 1),
+        squares(sum.size()),
+        techniques(max_vertices) {}
+  void merge(const SeedTally& other) {
+    samples += other.samples;
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      sum[k] += other.sum[k];
+      squares[k] += other.squares[k];
+    }
+    total += other.total;
+    total_squares += other.total_squares;
+    for (std::size_t i = 0; i < techniques.values().size(); ++i)
+      techniques.values()[i] += other.techniques.values()[i];
+  }
+  // Of the paths of so many vertices.
+  double mean(int vertices) const {
+    const double total_of_length = sum[static_cast<std::size_t>(vertices) - 2].value();
+    return samples > 0 ? total_of_length / static_cast<double>(samples) : 0;
+  }
+  double mean() const { return samples > 0 ? total.value() / static_cast<double>(samples) : 0; }
+  // (Σ x)² / Σ x²: how many samples carry the estimate.
+  double effective_samples() const {
+    const double squared = total_squares.value();
+    return squared > 0 ? total.value() * total.value() / squared : 0;
+  }
+};
+
+// What normalization asks of a slice beside its tally: the ratios l = f / p̄ of what it found, by
+// stratum (seeds.h), and Σ w f/p of each bin of the film and of each class.
+struct SeedEvidence {
+  std::vector<RatioHistogram> ratios;
+  std::vector<Sum> film;
+  ClassTable classes;
+  std::vector<Sum> by_class = std::vector<Sum>(ClassTable::most_classes + 1);
+
+  SeedEvidence(int strata, int bins)
+      : ratios(static_cast<std::size_t>(strata)), film(static_cast<std::size_t>(bins)) {}
+};
+
+// One group's slice of the seed pass.  `Seeds` is what it draws for the chains (seeds.h).
+template <class Space, class Seeds = PathSeeds>
+class SeedSlice {
+ public:
+  using W = typename Space::Universe;
+
+  // `count`: how many seeds.
+  SeedSlice(const Space& space, std::uint64_t seed, int group, int count)
+      : space_(&space),
+        sampler_(space, all_techniques, Heuristic::balance),
+        samples_(seed, Purpose::seed_pass, static_cast<std::uint32_t>(group)),
+        seeds_(Rng(seed, Purpose::resample, static_cast<std::uint32_t>(group)), count),
+        tally_(space.max_vertices()),
+        evidence_(Seeds::strata(space.max_vertices()), space.scene().bins()),
+        by_length_(tally_.sum.size()) {}
+
+  void run(std::uint64_t count) {
+    for (std::uint64_t i = 0; i < count; ++i) add_sample();
+  }
+
+  const SeedTally& tally() const { return tally_; }
+  const SeedEvidence& evidence() const { return evidence_; }
+  bool found_light() const { return tally_.total.value() > 0; }
+  const Seed& seed(int chain) const { return seeds_[chain]; }
+
+  // The path of a seed, whose weight must come out as it was, bit for bit.
+  Path<W> replay(const Seed& seed, int max_vertices) {
+    Path<W> path(max_vertices);
+    bool found = false;
+    samples_.start(seed.sample);
+    sampler_.sample(samples_, [&](const Path<W>& x, int s, double weight) {
+      if (found || x.size() != seed.vertices || s != seed.technique || weight != seed.weight)
+        return;
+      path = x;
+      found = true;
+    });
+    if (!found) throw SeedReplayError("a seed path could not be replayed from its random numbers");
+    return path;
+  }
+
+  // The random numbers of a seed's sample, at their places.
+  PrimaryNumbers numbers(const Seed& seed, const PrimaryLayout<W>& layout) {
+    PrimaryNumbers numbers(layout.of_samples());
+    samples_.start(seed.sample);
+    PrimarySource source(layout, [&](std::size_t k) {
+      const double u = samples_.uniform();
+      numbers.set(k, u);
+      return u;
+    });
+    sampler_.sample(source, [](const Path<W>&, int, double) {});
+    return numbers;
+  }
+
+ private:
+  void add_sample() {
+    const std::uint64_t index = tally_.samples++;
+    samples_.start(index);
+    seeds_.start(index);
+    double total = 0;
+    sampler_.sample(samples_, [&](const Path<W>& x, int s, double weight) {
+      total += weight;
+      by_length_[static_cast<std::size_t>(x.size()) - 2] += weight;
+      tally_.total += weight;
+      if (tally_.techniques.has(x.size()))
+        tally_.techniques.row(x.size())[static_cast<std::size_t>(s)] += weight;
+      seeds_.offer_path({index, x.size(), s, weight});
+      keep(x, weight);
+    });
+    if (total == 0) return;
+    if constexpr (Seeds::ratios == Ratios::of_samples) evidence_.ratios[0].add(total);
+    seeds_.offer_sample({.sample = index, .weight = total});
+    tally_.total_squares += total * total;
+    for (std::size_t k = 0; k < by_length_.size(); ++k) {
+      if (by_length_[k] == 0) continue;
+      tally_.sum[k] += by_length_[k];
+      tally_.squares[k] += by_length_[k] * by_length_[k];
+      by_length_[k] = 0;
+    }
+  }
+
+  // By the balance heuristic w f/p is f / Σ p_{s,t}.
+  void keep(const Path<W>& x, double weight) {
+    if constexpr (Seeds::ratios == Ratios::of_paths)
+      evidence_.ratios[Seeds::stratum(x.size())].add(weight);
+    evidence_.film[static_cast<std::size_t>(space_->bin(x))] += weight;
+    evidence_.by_class[evidence_.classes.index(path_class_of(x))] += weight;
+  }
+
+  const Space* space_;
+  PathSampler<Space> sampler_;
+  Rng samples_;
+  Seeds seeds_;
+  SeedTally tally_;
+  SeedEvidence evidence_;
+  std::vector<double> by_length_;  // of the sample under way
+};
+
+}  // namespace wander

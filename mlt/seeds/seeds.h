@@ -1,0 +1,107 @@
+// What the seed pass draws for the chains, in one sweep by weighted reservoirs [Chao 1982]: paths,
+// paths of each length, or whole samples, in proportion to w f / p.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/rng.h"
+#include "statistics/sum.h"
+
+namespace wander {
+
+// A path of the seed pass: sample index and technique find it again, `weight` proves it.  Of a
+// whole sample: no vertices, and the weight is that of all its paths.
+struct Seed {
+  std::uint64_t sample = 0;
+  int vertices = 0, technique = 0;
+  double weight = 0;  // w f / p
+};
+
+// What the target density of a chain is divided by: the intensity of paths per sample, or that of
+// samples, which is one.
+enum class Ratios { of_paths, of_samples };
+
+// Independent draws from one stream of candidates.
+class Reservoirs {
+ public:
+  explicit Reservoirs(int count) : seeds_(static_cast<std::size_t>(count)) {}
+
+  // Each seed is replaced with probability weight / Σ weights so far.
+  void offer(const Seed& candidate, Rng& random) {
+    total_ += candidate.weight;
+    const double share = candidate.weight / total_.value();
+    for (Seed& seed : seeds_)
+      if (random.uniform() < share) seed = candidate;
+  }
+  const Seed& operator[](int i) const { return seeds_[static_cast<std::size_t>(i)]; }
+
+ private:
+  std::vector<Seed> seeds_;
+  Sum total_;
+};
+
+// Beside drawing, each kind of seeds says among which strata the states of its chains are compared
+// with the seed pass (bridge.h), by the ratios of what it found: one stratum for each target
+// density that the chains have.
+
+// The seeds of chains whose state is a path of any length.
+class PathSeeds {
+ public:
+  static int strata(int) { return 1; }
+  static constexpr Ratios ratios = Ratios::of_paths;
+  static std::size_t stratum(int) { return 0; }
+
+  PathSeeds(Rng random, int chains) : random_(random), reservoirs_(chains) {}
+  void start(std::uint64_t sample) { random_.start(sample); }
+  void offer_path(const Seed& path) { reservoirs_.offer(path, random_); }
+  void offer_sample(const Seed&) {}
+  const Seed& operator[](int chain) const { return reservoirs_[chain]; }
+
+ private:
+  Rng random_;
+  Reservoirs reservoirs_;
+};
+
+// The seeds of chains whose state is a whole sample.
+class SampleSeeds {
+ public:
+  static int strata(int) { return 1; }
+  static constexpr Ratios ratios = Ratios::of_samples;
+  static std::size_t stratum(int) { return 0; }
+
+  SampleSeeds(Rng random, int chains) : random_(random), reservoirs_(chains) {}
+  void start(std::uint64_t sample) { random_.start(sample); }
+  void offer_path(const Seed&) {}
+  void offer_sample(const Seed& sample) { reservoirs_.offer(sample, random_); }
+  const Seed& operator[](int chain) const { return reservoirs_[chain]; }
+
+ private:
+  Rng random_;
+  Reservoirs reservoirs_;
+};
+
+// One seed for each length: of paths of n vertices at n - 2, of weight 0 if there are none.
+class LengthSeeds {
+ public:
+  static int strata(int max_vertices) { return max_vertices - 1; }
+  static constexpr Ratios ratios = Ratios::of_paths;
+  static std::size_t stratum(int vertices) { return static_cast<std::size_t>(vertices) - 2; }
+
+  LengthSeeds(Rng random, int lengths)
+      : random_(random), reservoirs_(static_cast<std::size_t>(lengths), Reservoirs(1)) {}
+  void start(std::uint64_t sample) { random_.start(sample); }
+  void offer_path(const Seed& path) {
+    reservoirs_[static_cast<std::size_t>(path.vertices) - 2].offer(path, random_);
+  }
+  void offer_sample(const Seed&) {}
+  const Seed& operator[](int length) const {
+    return reservoirs_[static_cast<std::size_t>(length)][0];
+  }
+
+ private:
+  Rng random_;
+  std::vector<Reservoirs> reservoirs_;
+};
+
+}  // namespace wander

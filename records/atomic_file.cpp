@@ -1,0 +1,128 @@
+#include "records/atomic_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+namespace wander {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Owns an open file; `close` reports what the destructor could not.
+class Descriptor {
+ public:
+  Descriptor(const fs::path& path, int flags)
+      : descriptor_(open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
+  ~Descriptor() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  bool is_open() const { return descriptor_ >= 0; }
+  int number() const { return descriptor_; }
+  bool close() { return ::close(std::exchange(descriptor_, -1)) == 0; }
+
+ private:
+  int descriptor_;
+};
+
+// Pipes and some file systems cannot sync, which is no failure to write.
+bool sync(int descriptor) {
+  return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+}
+
+bool is_special(const fs::path& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+void write_in_place(const fs::path& path, std::string_view bytes) {
+  Descriptor file(path, O_WRONLY);
+  if (!file.is_open()) throw OutputError(path.string(), errno);
+  write_to_descriptor(file.number(), bytes, path.string());
+  if (!file.close()) throw OutputError(path.string(), errno);
+}
+
+// The file a link points to is the one to replace, not the link.
+fs::path behind_links(const fs::path& path) {
+  std::error_code error;
+  const fs::path target = fs::canonical(path, error);
+  return error ? path : target;
+}
+
+// Short, so that it is valid wherever the name of the file is.
+fs::path temporary_beside(const fs::path& path) {
+  static std::atomic<unsigned> count = 0;
+  return path.parent_path() / fmt::format(".wander-{}-{}.tmp", getpid(), count++);
+}
+
+fs::path directory_of(const fs::path& path) {
+  return path.has_parent_path() ? path.parent_path() : fs::path(".");
+}
+
+void write_and_sync(const fs::path& temporary, std::string_view bytes, const std::string& place) {
+  Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
+  if (!file.is_open()) throw OutputError(place, errno);
+  write_to_descriptor(file.number(), bytes, place);
+  if (!sync(file.number()) || !file.close()) throw OutputError(place, errno);
+}
+
+}  // namespace
+
+OutputError::OutputError(const std::string& place, int error_number)
+    : std::runtime_error(fmt::format("cannot write {}: {}", place,
+                                     std::generic_category().message(error_number))) {}
+
+void write_to_descriptor(int descriptor, std::string_view bytes, const std::string& place) {
+  while (!bytes.empty()) {
+    const ssize_t written = write(descriptor, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throw OutputError(place, errno);
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+StagedFile::StagedFile(const fs::path& path, std::string_view bytes) : path_(behind_links(path)) {
+  std::error_code unreachable;  // then opening the file says why
+  if (fs::is_directory(path_, unreachable)) throw OutputError(path.string(), EISDIR);
+  if (is_special(path_)) {
+    write_in_place(path_, bytes);
+    return;
+  }
+  temporary_ = temporary_beside(path_);
+  try {
+    write_and_sync(temporary_, bytes, path.string());
+  } catch (...) {
+    unlink(temporary_.c_str());
+    throw;
+  }
+}
+
+StagedFile::StagedFile(StagedFile&& other) noexcept
+    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})) {}
+
+StagedFile::~StagedFile() {
+  if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+void StagedFile::commit() {
+  if (temporary_.empty()) return;
+  if (rename(temporary_.c_str(), path_.c_str()) != 0) throw OutputError(path_.string(), errno);
+  temporary_.clear();
+  // The new name itself must reach the disk too.
+  Descriptor directory(directory_of(path_), O_RDONLY | O_DIRECTORY);
+  if (directory.is_open() && !sync(directory.number())) throw OutputError(path_.string(), errno);
+}
+
+void write_file(const fs::path& path, std::string_view bytes) { StagedFile(path, bytes).commit(); }
+
+}  // namespace wander

@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+#include <netcdf.h>
+#include <netcdf_mem.h>
+
+#include <sstream>
+
+#include "records/netcdf.h"
+
+namespace wander::netcdf {
+
+namespace {
+
+void check(int status, std::string_view what) {
+  if (status != NC_NOERR) throw Error(fmt::format("{}: {}", what, nc_strerror(status)));
+}
+
+// A file that claims more than this is not believed.
+constexpr std::size_t most_values = std::size_t{1} << 33;
+
+std::string text_of(int group, int variable, const char* name) {
+  std::size_t length = 0;
+  nc_type type{};
+  check(nc_inq_att(group, variable, name, &type, &length), name);
+  if (type != NC_CHAR) throw Error(fmt::format("{}: not a text", name));
+  std::string text(length, '\0');
+  check(nc_get_att_text(group, variable, name, text.data()), name);
+  return text;
+}
+
+void require_one_number(int group, const std::string& name) {
+  std::size_t length = 0;
+  nc_type type{};
+  check(nc_inq_att(group, NC_GLOBAL, name.c_str(), &type, &length), name);
+  if (length != 1) throw Error(fmt::format("{}: not one number", name));
+}
+
+}  // namespace
+
+Reader::Reader(std::string_view bytes) {
+  // The library only reads from memory that it is given.
+  void* memory = const_cast<char*>(bytes.data());
+  check(nc_open_mem("trajectory", NC_NOWRITE, bytes.size(), memory, &id_), "the file");
+}
+
+Reader::~Reader() { nc_close(id_); }
+
+Reader::Group Reader::Group::group(const std::string& name) const {
+  int id = -1;
+  check(nc_inq_grp_ncid(id_, name.c_str(), &id), name);
+  return Group(id);
+}
+
+bool Reader::Group::has_group(const std::string& name) const {
+  int id = -1;
+  return nc_inq_grp_ncid(id_, name.c_str(), &id) == NC_NOERR;
+}
+
+bool Reader::Group::has_variable(const std::string& name) const {
+  int id = -1;
+  return nc_inq_varid(id_, name.c_str(), &id) == NC_NOERR;
+}
+
+std::size_t Reader::Group::dimension(const std::string& name) const {
+  int id = -1;
+  std::size_t length = 0;
+  check(nc_inq_dimid(id_, name.c_str(), &id), name);
+  check(nc_inq_dimlen(id_, id, &length), name);
+  return length;
+}
+
+std::string Reader::Group::text(const std::string& name) const {
+  return text_of(id_, NC_GLOBAL, name.c_str());
+}
+
+bool Reader::Group::has(const std::string& name) const {
+  int index = 0;
+  return nc_inq_attid(id_, NC_GLOBAL, name.c_str(), &index) == NC_NOERR;
+}
+
+double Reader::Group::number(const std::string& name) const {
+  double value = 0;
+  require_one_number(id_, name);
+  check(nc_get_att_double(id_, NC_GLOBAL, name.c_str(), &value), name);
+  return value;
+}
+
+std::uint64_t Reader::Group::count(const std::string& name) const {
+  unsigned long long value = 0;
+  require_one_number(id_, name);
+  check(nc_get_att_ulonglong(id_, NC_GLOBAL, name.c_str(), &value), name);
+  return value;
+}
+
+int Reader::Group::variable(const std::string& name, std::size_t size) const {
+  int id = -1, count = 0;
+  check(nc_inq_varid(id_, name.c_str(), &id), name);
+  check(nc_inq_varndims(id_, id, &count), name);
+  std::vector<int> dimensions(static_cast<std::size_t>(count));
+  check(nc_inq_vardimid(id_, id, dimensions.data()), name);
+  std::size_t held = 1;
+  for (const int dimension : dimensions) {
+    std::size_t length = 0;
+    check(nc_inq_dimlen(id_, dimension, &length), name);
+    if (length > most_values || held * length > most_values)
+      throw Error(fmt::format("{}: too many values", name));
+    held *= length;
+  }
+  if (held != size)
+    throw Error(fmt::format("{}: it holds {} values, expected are {}", name, held, size));
+  return id;
+}
+
+void Reader::Group::read(const std::string& name, std::size_t size,
+                         std::vector<double>& values) const {
+  const int id = variable(name, size);
+  values.resize(size);
+  check(nc_get_var_double(id_, id, values.data()), name);
+}
+void Reader::Group::read(const std::string& name, std::size_t size,
+                         std::vector<std::int32_t>& values) const {
+  const int id = variable(name, size);
+  values.resize(size);
+  check(nc_get_var_int(id_, id, values.data()), name);
+}
+void Reader::Group::read(const std::string& name, std::size_t size,
+                         std::vector<std::uint8_t>& values) const {
+  const int id = variable(name, size);
+  values.resize(size);
+  check(nc_get_var_uchar(id_, id, values.data()), name);
+}
+
+std::vector<std::string> Reader::Group::words(const std::string& variable) const {
+  int id = -1;
+  check(nc_inq_varid(id_, variable.c_str(), &id), variable);
+  std::istringstream meanings(text_of(id_, id, "flag_meanings"));
+  std::vector<std::string> words;
+  for (std::string word; meanings >> word;) words.push_back(word);
+  return words;
+}
+
+}  // namespace wander::netcdf

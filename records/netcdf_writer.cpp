@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <netcdf.h>
+#include <netcdf_mem.h>
+
+#include <cstdlib>
+#include <numeric>
+
+#include "records/netcdf.h"
+
+namespace wander::netcdf {
+
+namespace {
+
+void check(int status, std::string_view what) {
+  if (status != NC_NOERR) throw Error(fmt::format("{}: {}", what, nc_strerror(status)));
+}
+
+constexpr std::size_t first_size = 1 << 16;
+
+}  // namespace
+
+Writer Writer::create() {
+  int id = -1;
+  check(nc_create_mem("trajectory", NC_NETCDF4, first_size, &id), "a file in memory");
+  return Writer(id);
+}
+
+Writer Writer::group(const std::string& name) const {
+  int id = -1;
+  check(nc_def_grp(id_, name.c_str(), &id), name);
+  return Writer(id);
+}
+
+void Writer::dimension(const std::string& name, std::size_t length) const {
+  int id = -1;
+  check(nc_def_dim(id_, name.c_str(), length, &id), name);
+}
+
+void Writer::attribute(const std::string& name, std::string_view text) const {
+  check(nc_put_att_text(id_, NC_GLOBAL, name.c_str(), text.size(), text.data()), name);
+}
+void Writer::attribute(const std::string& name, double value) const {
+  check(nc_put_att_double(id_, NC_GLOBAL, name.c_str(), NC_DOUBLE, 1, &value), name);
+}
+void Writer::attribute(const std::string& name, std::int64_t value) const {
+  const long long number = value;
+  check(nc_put_att_longlong(id_, NC_GLOBAL, name.c_str(), NC_INT64, 1, &number), name);
+}
+void Writer::attribute(const std::string& name, std::uint64_t value) const {
+  const unsigned long long number = value;
+  check(nc_put_att_ulonglong(id_, NC_GLOBAL, name.c_str(), NC_UINT64, 1, &number), name);
+}
+
+int Writer::define(const std::string& name, const Dimensions& dimensions, int type,
+                   std::string_view meaning) const {
+  std::vector<int> ids;
+  for (const std::string& dimension : dimensions)
+    check(nc_inq_dimid(id_, dimension.c_str(), &ids.emplace_back()), dimension);
+  int id = -1;
+  check(nc_def_var(id_, name.c_str(), type, static_cast<int>(ids.size()), ids.data(), &id), name);
+  if (!ids.empty()) check(nc_def_var_deflate(id_, id, 1, 1, 1), name);  // shuffled, level 1
+  check(nc_put_att_text(id_, id, "long_name", meaning.size(), meaning.data()), name);
+  return id;
+}
+
+void Writer::variable(const std::string& name, const Dimensions& dimensions,
+                      std::span<const double> values, std::string_view meaning) const {
+  const int id = define(name, dimensions, NC_DOUBLE, meaning);
+  check(nc_put_var_double(id_, id, values.data()), name);
+}
+void Writer::variable(const std::string& name, const Dimensions& dimensions,
+                      std::span<const std::int32_t> values, std::string_view meaning) const {
+  const int id = define(name, dimensions, NC_INT, meaning);
+  check(nc_put_var_int(id_, id, values.data()), name);
+}
+void Writer::variable(const std::string& name, const Dimensions& dimensions,
+                      std::span<const std::int64_t> values, std::string_view meaning) const {
+  const int id = define(name, dimensions, NC_INT64, meaning);
+  const std::vector<long long> numbers(values.begin(), values.end());
+  check(nc_put_var_longlong(id_, id, numbers.data()), name);
+}
+void Writer::flags(const std::string& name, const Dimensions& dimensions,
+                   std::span<const std::uint8_t> values, std::string_view meaning) const {
+  const int id = define(name, dimensions, NC_BYTE, meaning);
+  check(nc_put_att_text(id_, id, "dtype", 4, "bool"), name);
+  check(nc_put_var_uchar(id_, id, values.data()), name);
+}
+void Writer::variable(const std::string& name, const Dimensions& dimensions,
+                      std::span<const std::int32_t> values, std::span<const std::string> words,
+                      std::string_view meaning) const {
+  const int id = define(name, dimensions, NC_INT, meaning);
+  std::vector<int> numbers(words.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  check(nc_put_att_int(id_, id, "flag_values", NC_INT, numbers.size(), numbers.data()), name);
+  const std::string meanings = fmt::format("{}", fmt::join(words, " "));
+  check(nc_put_att_text(id_, id, "flag_meanings", meanings.size(), meanings.data()), name);
+  check(nc_put_var_int(id_, id, values.data()), name);
+}
+
+std::string Writer::take() {
+  NC_memio memory{};
+  check(nc_close_memio(id_, &memory), "the end of a file in memory");
+  std::string bytes(static_cast<const char*>(memory.memory), memory.size);
+  std::free(memory.memory);
+  return bytes;
+}
+
+}  // namespace wander::netcdf

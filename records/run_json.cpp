@@ -1,0 +1,192 @@
+#include "records/run_json.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "records/exr.h"
+
+namespace wander {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+ordered_json json_of(double x) {
+  return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
+}
+
+ordered_json json_of(const std::vector<double>& values) {
+  ordered_json array = ordered_json::array();
+  for (const double value : values) array.push_back(json_of(value));
+  return array;
+}
+
+ordered_json json_of(const Estimate& estimate) {
+  return {{"value", json_of(estimate.value)}, {"standard_error", json_of(estimate.standard_error)}};
+}
+
+ordered_json json_of(const FilmEstimate& film, int dimension) {
+  ordered_json json{{"shape", film.shape}};
+  if (dimension == 2) {  // an image is in the EXR
+    json["value"] = json_of(film.value);
+    json["standard_error"] = json_of(film.standard_error);
+    json["reliable"] = film.reliable;
+  }
+  json["degrees_of_freedom"] = json_of(film.degrees_of_freedom);
+  return json;
+}
+
+ordered_json json_of(const Normalization& normalization) {
+  ordered_json json = json_of(static_cast<const Estimate&>(normalization));
+  json["method"] = normalization.method;
+  json["estimates"] = ordered_json::object();
+  for (const auto& [name, estimate] : normalization.estimates) {
+    ordered_json& entry = json["estimates"][name];
+    entry = json_of(static_cast<const Estimate&>(estimate));
+    entry["samples"] = estimate.samples;
+    entry["degrees_of_freedom"] = json_of(estimate.degrees_of_freedom);
+    if (!estimate.failure.empty()) entry["failure"] = estimate.failure;
+  }
+  json["by_length"] = ordered_json::array();
+  for (const LengthShare& share : normalization.by_length)
+    json["by_length"].push_back({{"vertices", share.vertices},
+                                 {"value", json_of(share.value)},
+                                 {"standard_error", json_of(share.standard_error)}});
+  return json;
+}
+
+// Every functional by its name.
+ordered_json json_of(const std::vector<FunctionalRecord>& functionals,
+                     const std::function<ordered_json(const FunctionalRecord&)>& value) {
+  ordered_json json = ordered_json::object();
+  for (const FunctionalRecord& functional : functionals) json[functional.name] = value(functional);
+  return json;
+}
+
+ordered_json chains_of(const Rendering& rendering) {
+  ordered_json json{{"count", rendering.chains}, {"groups", rendering.groups}};
+  if (!rendering.chains_record) return json;
+  const ChainsRecord& chains = *rendering.chains_record;
+  json["draws"] = chains.draws;
+  json["stride"] = chains.stride;
+  json["longest_rejection_run"] = chains.longest_rejection_run;
+  json["r_hat"] = json_of(chains.functionals, [](const auto& f) { return json_of(f.r_hat); });
+  json["ess"] = json_of(chains.functionals, [](const auto& f) {
+    return ordered_json{{"bulk", json_of(f.ess_bulk)}, {"tail", json_of(f.ess_tail)}};
+  });
+  json["ess_per_second"] = json_of(
+      chains.functionals, [&](const auto& f) { return json_of(f.ess_bulk / rendering.seconds); });
+  json["integrated_autocorrelation"] =
+      json_of(chains.functionals, [](const auto& f) { return json_of(f.autocorrelation_time); });
+  return json;
+}
+
+// Of a mutation, and of its part by length or class.
+template <class Record>
+ordered_json outcomes_of(const Record& record) {
+  return {{"proposed", record.proposed},
+          {"accepted", record.accepted},
+          {"mean_acceptance", json_of(record.mean_acceptance)},
+          {"failures", record.failures}};
+}
+
+ordered_json json_of(const std::vector<PathsRecord>& records) {
+  ordered_json json = ordered_json::array();
+  for (const PathsRecord& record : records) {
+    ordered_json& entry = json.emplace_back();
+    if (record.path_class.empty()) {
+      entry["vertices"] = record.vertices;
+    } else {
+      entry["class"] = record.path_class;
+    }
+    entry.update(outcomes_of(record));
+  }
+  return json;
+}
+
+ordered_json json_of(const std::vector<MutationRecord>& mutations) {
+  ordered_json json = ordered_json::object();
+  for (const MutationRecord& mutation : mutations) {
+    ordered_json& entry = json[mutation.name] = outcomes_of(mutation);
+    entry["seconds"] = json_of(mutation.seconds);
+    entry["squared_jump"] = json_of(mutation.squared_jump);
+    entry["longest_rejection_run"] = mutation.longest_rejection_run;
+    entry["by_length"] = json_of(mutation.by_length);
+    entry["by_class"] = json_of(mutation.by_class);
+  }
+  return json;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw RunFileError(fmt::format("{}: cannot be read", path.string()));
+  return text;
+}
+
+bool is_exr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01"); }
+
+}  // namespace
+
+ordered_json to_json(const RunRecord& run) {
+  const Rendering& rendering = run.rendering;
+  const Provenance& provenance = run.provenance;
+  ordered_json json{{"schema", run_schema},
+                    {"complete", rendering.complete},
+                    {"scene",
+                     {{"name", provenance.scene_name},
+                      {"sha256", provenance.scene_sha256},
+                      {"text", provenance.scene_text}}},
+                    {"dimension", provenance.dimension},
+                    {"method", rendering.method},
+                    {"samples", rendering.samples},
+                    {"seed", rendering.seed},
+                    {"threads", rendering.threads},
+                    {"seconds", json_of(rendering.seconds)},
+                    {"cpu_seconds", json_of(rendering.processor_seconds)},
+                    {"seed_seconds", json_of(rendering.seed_seconds)},
+                    {"precision", rendering.precision},
+                    {"film", json_of(rendering.film, provenance.dimension)}};
+  if (rendering.normalization) json["normalization"] = json_of(*rendering.normalization);
+  if (rendering.chains > 0) json["chains"] = chains_of(rendering);
+  if (!rendering.mutations.empty()) json["mutations"] = json_of(rendering.mutations);
+  json["command_line"] = provenance.command_line;
+  json["version"] = provenance.version;
+  json["provenance"] = to_json(provenance.origin);
+  json["warnings"] = rendering.warnings;
+  return json;
+}
+
+ordered_json to_json(const FilmEstimate& film, int dimension) { return json_of(film, dimension); }
+
+ordered_json to_json(const Origin& origin) {
+  ordered_json json = ordered_json::object();
+  for (const OriginField& field : origin_fields)
+    if (const std::string& text = origin.*field.member; !text.empty()) json[field.name] = text;
+  return json;
+}
+
+std::optional<RunRecord> find_run(const std::filesystem::path& path) {
+  std::error_code unreachable;
+  if (std::filesystem::is_directory(path, unreachable)) return find_run(path / "run.json");
+  if (!std::filesystem::is_regular_file(path, unreachable)) return std::nullopt;
+  const std::string text = read_text(path);
+  if (is_exr(text)) return read_exr(path);
+  const auto document = ordered_json::parse(text, nullptr, false);
+  if (!document.is_object() || document.value("schema", "") != run_schema) return std::nullopt;
+  return run_from_json(document, path.string());
+}
+
+RunRecord read_run(const std::filesystem::path& path) {
+  if (auto run = find_run(path)) return *std::move(run);
+  throw RunFileError(
+      fmt::format("{}: neither a run.json, a directory with one, nor a film.exr", path.string()));
+}
+
+}  // namespace wander

@@ -1,0 +1,34 @@
+// `run.json`, schema "wanderlight-run/1": the exact record of a run, and its way back.
+// Numbers that are not finite are null, and read back as NaN.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "records/run_record.h"
+
+namespace wander {
+
+inline constexpr const char* run_schema = "wanderlight-run/1";
+
+nlohmann::ordered_json to_json(const RunRecord& run);
+// The "film" of a run; an image has a shape alone, for its values are in the EXR.
+nlohmann::ordered_json to_json(const FilmEstimate& film, int dimension);
+// The "provenance" of a run or comparison, and its way back; what is not known is left out.
+nlohmann::ordered_json to_json(const Origin& origin);
+Origin origin_from_json(const nlohmann::ordered_json& document);
+
+// A document that is not such a run throws RunFileError; `place` names it in the message.
+RunRecord run_from_json(const nlohmann::ordered_json& document, const std::string& place);
+// Throws a std::exception if it is not a film.
+FilmEstimate film_from_json(const nlohmann::ordered_json& json);
+
+// Reads run.json, the directory that holds it, or a film.exr; none if the file is something else.
+// Throws RunFileError if it is one of these but broken.
+std::optional<RunRecord> find_run(const std::filesystem::path& path);
+// The same where a run is required: RunFileError if there is none.
+RunRecord read_run(const std::filesystem::path& path);
+
+}  // namespace wander

@@ -1,0 +1,25 @@
+// What a document must be, by a JSON Schema: valijson gives the verdict, and where it refuses, the
+// same schema is walked again to say why in words that help.
+//
+// The walk knows the part of draft 7 that scene.schema.json uses.  A `description` completes a
+// message: "-1 is not allowed; " + "a radiance is > 0".
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "scenes/format/json_document.h"
+
+namespace wander {
+
+bool conforms(const JsonDocument& document, const char* schema_text);
+
+struct Explanation {
+  std::vector<JsonFault> faults;
+  // Known keys that unknown ones resemble most: what seems to be missing may be among them.
+  std::set<std::string> meant;
+};
+Explanation explain(const JsonDocument& document, const char* schema_text);
+
+}  // namespace wander

@@ -1,0 +1,59 @@
+#include "statistics/jackknife.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace wander {
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+double jackknife_error(std::span<const double> without) {
+  const auto n = static_cast<double>(without.size());
+  if (n < 2) return unknown;
+  const double mean = std::accumulate(without.begin(), without.end(), 0.0) / n;
+  double squares = 0;
+  for (const double value : without) squares += (value - mean) * (value - mean);
+  return std::sqrt(squares * (n - 1) / n);
+}
+
+double jackknife_degrees(std::span<const double> squared_deviations) {
+  double sum = 0, squares = 0;
+  for (const double v : squared_deviations) {
+    sum += v;
+    squares += v * v;
+  }
+  const double most = static_cast<double>(squared_deviations.size()) - 1;
+  if (!std::isfinite(squares)) return 0;
+  return squares > 0 ? std::clamp(sum * sum / squares - 1, 0.0, most) : std::max(0.0, most);
+}
+
+RatioJackknife::RatioJackknife(const std::vector<std::vector<double>>& groups)
+    : groups_(groups), totals_(groups.front().size()) {
+  for (const auto& group : groups) {
+    masses_.push_back(std::accumulate(group.begin(), group.end(), 0.0));
+    mass_ += masses_.back();
+    for (std::size_t k = 0; k < group.size(); ++k) totals_[k] += group[k];
+  }
+}
+
+double RatioJackknife::value(std::size_t part) const { return totals_[part] / mass_; }
+
+double RatioJackknife::without(std::size_t part, std::size_t group) const {
+  const double rest = mass_ - masses_[group];
+  return rest > 1e-12 * mass_ ? std::max(0.0, totals_[part] - groups_[group][part]) / rest
+                              : unknown;
+}
+
+double RatioJackknife::error(std::size_t part, std::span<const double> b) const {
+  std::vector<double> values;
+  for (std::size_t g = 0; g < groups_.size(); ++g) values.push_back(b[g] * without(part, g));
+  return jackknife_error(values);
+}
+
+}  // namespace wander

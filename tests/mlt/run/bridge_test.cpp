@@ -1,0 +1,210 @@
+// Bridge sampling of b: on both sides draws whose law is known, so that b is known, too.
+#include "mlt/run/bridge.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+
+#include "core/rng.h"
+#include "statistics/jackknife.h"
+#include "tests/support/expect.h"
+#include "tests/support/statistics.h"
+
+namespace wander::test {
+namespace {
+
+// The seed pass finds a path in a sample with probability `found`, of l = (b / found) e^(σz - σ²/2)
+// with z normal, so that its mean is b; the chains, whose density is in proportion to l, see z + σ.
+struct Model {
+  double found = 0.3, sigma = 1;
+  int samples = 20'000, states = 32'000;  // of all groups
+  double b = 1;
+};
+constexpr int groups = 32;
+
+struct Side {
+  RatioHistogram ratios;
+  std::vector<double> values;  // the same, one by one
+  void add(double l) {
+    ratios.add(l);
+    values.push_back(l);
+  }
+};
+struct Sides {
+  std::vector<Side> found = std::vector<Side>(groups), states = std::vector<Side>(groups);
+  double samples_of_group = 0, direct = 0;
+
+  std::vector<BridgeGroup> data() const {
+    std::vector<BridgeGroup> data;
+    for (std::size_t g = 0; g < groups; ++g)
+      data.push_back({&found[g].ratios, samples_of_group, &states[g].ratios, 1});
+    return data;
+  }
+};
+
+double normal(Rng& random) {
+  const double u = random.uniform();
+  return boost::math::quantile(boost::math::normal(), 0x1p-54 + u * (1 - 0x1p-53));
+}
+
+Sides simulate(const Model& model, std::uint64_t seed) {
+  Sides sides;
+  Rng random(seed, Purpose::test, 70);
+  const auto ratio = [&](double shift) {
+    const double z = normal(random) + shift;
+    return model.b / model.found * std::exp(model.sigma * z - model.sigma * model.sigma / 2);
+  };
+  sides.samples_of_group = model.samples / groups;
+  double total = 0;
+  for (auto& side : sides.found)
+    for (int i = 0; i < model.samples / groups; ++i) {
+      if (!(random.uniform() < model.found)) continue;
+      side.add(ratio(0));
+      total += side.values.back();
+    }
+  for (auto& side : sides.states)
+    for (int i = 0; i < model.states / groups; ++i) side.add(ratio(model.sigma));
+  sides.direct = total / (sides.samples_of_group * groups);
+  return sides;
+}
+
+// The fixed point of the equation of bridge.h, over the values one by one [Meng and Wong 1996].
+double fixed_point(const Sides& sides, double balance) {
+  double b = sides.direct, states = 0;
+  for (const Side& side : sides.states) states += static_cast<double>(side.values.size());
+  for (int i = 0; i < 500; ++i) {
+    double above = 0, below = 0;
+    for (const Side& side : sides.found)
+      for (const double l : side.values) above += l / (balance * l + b);
+    for (const Side& side : sides.states)
+      for (const double l : side.values) below += 1 / (balance * l + b);
+    b = (above / (sides.samples_of_group * groups)) / (below / states);
+  }
+  return b;
+}
+
+TEST(Bridge, SolvesTheEquationOfMengAndWong) {
+  for (const double sigma : {0.1, 1.0, 2.5}) {
+    const Sides sides = simulate({.sigma = sigma, .samples = 3200, .states = 3200}, 1);
+    const BridgeFit fit = bridge(sides.data());
+    ASSERT_TRUE(fit.failure.empty()) << fit.failure;
+    EXPECT_NEAR(fit.b, fixed_point(sides, fit.balance), 5e-5 * fit.b) << "sigma " << sigma;
+  }
+}
+
+// What a factor of two does to every l it does to b, bit for bit.
+TEST(Bridge, OfAMultipleByAPowerOfTwoIsThatMultiple) {
+  const BridgeFit fit = bridge(simulate({}, 2).data());
+  for (const int exponent : {-100, -1, 3, 100}) {
+    const BridgeFit scaled = bridge(simulate({.b = std::ldexp(1.0, exponent)}, 2).data());
+    EXPECT_EQ(scaled.b, std::ldexp(fit.b, exponent));
+    for (std::size_t g = 0; g < groups; ++g)
+      EXPECT_EQ(scaled.without[g], std::ldexp(fit.without[g], exponent));
+  }
+}
+
+TEST(Bridge, LeavesOutEachGroupAsIfItHadNotBeen) {
+  const Sides sides = simulate({.samples = 3200, .states = 3200}, 4);
+  const std::vector<BridgeGroup> all = sides.data();
+  const BridgeFit fit = bridge(all);
+  for (const std::size_t left_out : {0u, 17u}) {
+    std::vector<BridgeGroup> rest = all;
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(left_out));
+    // Another balance and other means of cells: equal but for the second order.
+    EXPECT_NEAR(fit.without[left_out], bridge(rest).b, 2e-3 * fit.b);
+    EXPECT_NE(fit.without[left_out], fit.b);
+  }
+}
+
+TEST(Bridge, SaysWhyThereIsNoConstant) {
+  Sides dark = simulate({}, 5), still = dark;
+  for (auto& side : dark.found) side = {};
+  for (auto& side : still.states) side = {};
+  for (const Sides& sides : {dark, still}) {
+    const BridgeFit fit = bridge(sides.data());
+    EXPECT_FALSE(fit.failure.empty());
+    EXPECT_EQ(fit.b, 0);
+  }
+}
+
+// One group tells no spread, and one state is enough for an estimate.
+TEST(Bridge, OfOneGroupHasNoJackknife) {
+  Side found, state;
+  found.add(1);
+  found.add(3);
+  state.add(2);
+  const std::vector<BridgeGroup> alone{{&found.ratios, 4, &state.ratios, 1}};
+  const BridgeFit fit = bridge(alone);
+  EXPECT_GT(fit.b, 0);
+  ASSERT_EQ(fit.without.size(), 1u);
+  EXPECT_TRUE(std::isnan(fit.without[0]));
+}
+
+struct Study {
+  double bias = 0, rmse = 0, coverage = 0;  // of log b
+  double direct_rmse = 0;
+};
+
+template <class Estimate>
+Study study(const Model& model, int runs, Estimate&& estimate) {
+  Study s;
+  for (int run = 0; run < runs; ++run) {
+    const Sides sides = simulate(model, static_cast<std::uint64_t>(100 + run));
+    const auto [b, error] = estimate(sides);
+    const double t = 2.04;  // 31 degrees of freedom
+    s.bias += (b - model.b) / runs;
+    s.rmse += (b - model.b) * (b - model.b) / runs;
+    s.coverage += (std::abs(b - model.b) <= t * error ? 1.0 : 0.0) / runs;
+    s.direct_rmse += (sides.direct - model.b) * (sides.direct - model.b) / runs;
+  }
+  s.rmse = std::sqrt(s.rmse);
+  s.direct_rmse = std::sqrt(s.direct_rmse);
+  return s;
+}
+
+std::pair<double, double> bridged(const Sides& sides) {
+  const BridgeFit fit = bridge(sides.data());
+  return {fit.b, jackknife_error(fit.without)};
+}
+
+// 200 seed passes of each kind: intervals cover, no bias, and no firefly dominates.
+// False alarms: of the coverage 1e-9 by the binomial law of 0.95 ± 0.02, of the bias |z| < 6.1.
+class BridgeStudy : public ::testing::TestWithParam<Model> {};
+INSTANTIATE_TEST_SUITE_P(Tails, BridgeStudy,
+                         ::testing::Values(Model{.found = 0.05, .sigma = 0.5},
+                                           Model{.found = 0.3, .sigma = 1},
+                                           Model{.found = 0.02, .sigma = 2}));
+
+TEST_P(BridgeStudy, CoversTheTruth) {
+  constexpr int runs = 200;
+  const Study s = study(GetParam(), runs, bridged);
+  EXPECT_GT(s.coverage, 0.82);
+  EXPECT_LT(std::abs(s.bias), 6.1 * s.rmse / std::sqrt(runs));
+  if (GetParam().sigma > 1.5) {
+    EXPECT_LT(s.rmse, s.direct_rmse / 2) << "fireflies";
+  }
+}
+
+// Twins: samples that find nothing are forgotten; states weigh as if they were drawn by the seed
+// pass.
+TEST_P(BridgeStudy, TwinsAreCaught) {
+  constexpr int runs = 40;
+  const Study forgetful = study(GetParam(), runs, [](const Sides& sides) {
+    std::vector<BridgeGroup> data = sides.data();
+    for (BridgeGroup& group : data) group.samples = group.found->count();
+    const BridgeFit fit = bridge(data);
+    return std::pair(fit.b, jackknife_error(fit.without));
+  });
+  EXPECT_LT(forgetful.coverage, 0.5);
+  const Study exchanged = study(GetParam(), runs, [](const Sides& sides) {
+    std::vector<BridgeGroup> data = sides.data();
+    for (BridgeGroup& group : data) group.states = group.found;
+    const BridgeFit fit = bridge(data);
+    return std::pair(fit.b, jackknife_error(fit.without));
+  });
+  EXPECT_LT(exchanged.coverage, 0.5);
+}
+
+}  // namespace
+}  // namespace wander::test

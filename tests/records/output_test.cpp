@@ -1,0 +1,364 @@
+// What a run leaves on the disk: whole files or none, and the same numbers on the way back.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "records/atomic_file.h"
+#include "records/exr.h"
+#include "records/run_files.h"
+#include "records/run_json.h"
+
+namespace wander {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+// An empty directory that is gone when the test is.
+class Output : public ::testing::Test {
+ protected:
+  Output() {
+    std::string name = (fs::temp_directory_path() / "wander-output-XXXXXX").string();
+    folder = mkdtemp(name.data());
+  }
+  ~Output() override { fs::remove_all(folder); }
+
+  std::vector<std::string> names() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+      names.push_back(entry.path().filename());
+    return names;
+  }
+
+  fs::path folder;
+};
+
+std::string contents(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Files of this process cannot grow beyond a limit, as on a full disk.
+class FileSizeLimit {
+ public:
+  explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  void (*handler_)(int);
+  rlimit before_{};
+};
+
+std::string error_of_writing(const fs::path& path, std::string_view bytes) {
+  try {
+    write_file(path, bytes);
+  } catch (const OutputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+RunRecord markov_chain_run() {
+  RunRecord run;
+  run.provenance = {"box",
+                    "{ \"dimension\": 2 } // text \"with\" quotes\n",
+                    "abc123",
+                    2,
+                    "wander render box.json",
+                    "0.1.0",
+                    {"c0ffee+changes", "GNU 12.2.0", "Release", "a cpu", "2026-01-02T03:04:05Z"}};
+  Rendering& rendering = run.rendering;
+  rendering.method = "mlt";
+  rendering.samples = 123456789012;
+  rendering.seed = std::numeric_limits<std::uint64_t>::max();
+  rendering.threads = 3;
+  rendering.seconds = 1.25;
+  rendering.processor_seconds = 2.125;
+  rendering.seed_seconds = 0.25;
+  rendering.film.shape = {3};
+  rendering.film.value = {0.1, 1e-30, 1 / 3.0};
+  rendering.film.standard_error = {0.01, unknown, 1e-3};
+  rendering.film.reliable = {true, false, true};
+  rendering.film.degrees_of_freedom = 31;
+  rendering.film.by_length = {{2, {0.1, 0, 0}}, {5, {0, 1e-30, 1 / 3.0}}};
+  rendering.normalization.emplace();
+  rendering.normalization->value = 0.6;
+  rendering.normalization->standard_error = 0.002;
+  rendering.normalization->method = "bridge";
+  NormalizationEstimate direct;
+  direct.value = 0.61;
+  direct.standard_error = 0.004;
+  direct.samples = 100000;
+  rendering.normalization->estimates["seed_pass"] = direct;
+  LengthShare share;
+  share.vertices = 2;
+  share.value = 0.2;
+  share.standard_error = 0.001;
+  rendering.normalization->by_length = {share};
+  rendering.chains = 64;
+  rendering.groups = 32;
+  rendering.mutations = {
+      {"primary_small", 1000, 400, 0.41, {{"occluded", 20}}, {500, 0, 500}, {0.5, unknown, 0.32}}};
+  MutationRecord& mutation = rendering.mutations[0];
+  mutation.seconds = 0.4;
+  mutation.squared_jump = 0.01;
+  mutation.longest_rejection_run = 77;
+  mutation.by_length = {{3, "", 900, 350, 0.39, {{"occluded", 20}}}, {4, "", 100, 50, 0.5, {}}};
+  mutation.by_class = {{0, "LSE", 1000, 400, 0.41, {{"occluded", 20}}}};
+  rendering.chains_record = {
+      300, 8, 99, {{"film", 1.004, 4000, 3000, 25}, {"specular", unknown, unknown, 10, unknown}}};
+  rendering.warnings = {"a warning"};
+  return run;
+}
+
+// ---- whole files or none
+
+TEST_F(Output, AWrittenFileHoldsItsBytesAndLeavesNoOtherFile) {
+  write_file(folder / "a", "first");
+  write_file(folder / "a", std::string("sec\0ond", 7));
+  EXPECT_EQ(contents(folder / "a"), std::string("sec\0ond", 7));
+  EXPECT_EQ(names(), std::vector<std::string>{"a"});
+}
+
+TEST_F(Output, AFullDiskLeavesTheFormerFileAndNoHalfOne) {
+  write_file(folder / "a", "before");
+  const std::string big(1 << 16, 'x');
+  std::string message;
+  {
+    const FileSizeLimit limit(1 << 12);
+    message = error_of_writing(folder / "a", big);
+  }
+  EXPECT_EQ(message, "cannot write " + (folder / "a").string() + ": File too large");
+  EXPECT_EQ(contents(folder / "a"), "before");
+  EXPECT_EQ(names(), std::vector<std::string>{"a"});
+}
+
+TEST_F(Output, AnErrorNamesThePathAndTheReason) {
+  EXPECT_EQ(error_of_writing(folder / "no" / "a", "x"),
+            "cannot write " + (folder / "no" / "a").string() + ": No such file or directory");
+  EXPECT_EQ(error_of_writing(folder, "x"), "cannot write " + folder.string() + ": Is a directory");
+}
+
+TEST_F(Output, ADeviceIsWrittenInPlaceAndItsFailureIsSeen) {
+  EXPECT_EQ(error_of_writing("/dev/null", "x"), "");
+  EXPECT_EQ(error_of_writing("/dev/full", "x"), "cannot write /dev/full: No space left on device");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
+}
+
+TEST_F(Output, ALinkStaysALinkToTheFileThatIsReplaced) {
+  write_file(folder / "file", "before");
+  fs::create_symlink("file", folder / "link");
+  write_file(folder / "link", "after");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(contents(folder / "file"), "after");
+}
+
+TEST_F(Output, AStagedFileThatIsNotCommittedVanishes) {
+  { const StagedFile staged(folder / "a", "bytes"); }
+  EXPECT_TRUE(names().empty());
+}
+
+// ---- film.exr
+
+TEST_F(Output, AnExrReadsBackWhatItHolds) {
+  const RunRecord run = markov_chain_run();
+  write_file(folder / "film.exr", to_exr(run));
+  const RunRecord back = read_exr(folder / "film.exr");
+  EXPECT_EQ(back.provenance.scene_text, run.provenance.scene_text);
+  EXPECT_EQ(back.provenance.scene_sha256, "abc123");
+  EXPECT_EQ(back.provenance.command_line, "wander render box.json");
+  EXPECT_EQ(back.provenance.version, "0.1.0");
+  for (const OriginField& field : origin_fields)
+    EXPECT_EQ(back.provenance.origin.*field.member, run.provenance.origin.*field.member);
+  EXPECT_EQ(back.rendering.method, "mlt");
+  EXPECT_EQ(back.rendering.seed, run.rendering.seed);
+  EXPECT_EQ(back.rendering.samples, run.rendering.samples);
+  EXPECT_EQ(back.rendering.film.shape, std::vector{3});
+  EXPECT_EQ(back.rendering.film.reliable, run.rendering.film.reliable);
+  EXPECT_EQ(back.rendering.film.degrees_of_freedom, 31);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_FLOAT_EQ(static_cast<float>(back.rendering.film.value[i]),
+                    static_cast<float>(run.rendering.film.value[i]));
+  EXPECT_TRUE(std::isnan(back.rendering.film.standard_error[1]));
+  ASSERT_EQ(back.rendering.film.by_length.size(), 2U);
+  EXPECT_FLOAT_EQ(static_cast<float>(back.rendering.film.by_length.at(5)[2]), 1 / 3.F);
+  EXPECT_EQ(back.rendering.normalization.value().value, 0.6);
+  EXPECT_EQ(back.rendering.normalization.value().standard_error, 0.002);
+  ASSERT_EQ(back.rendering.mutations.size(), 1U);
+  EXPECT_EQ(back.rendering.mutations[0].name, "primary_small");
+  EXPECT_EQ(back.rendering.mutations[0].proposed, 1000U);
+  EXPECT_NEAR(back.rendering.mutations[0].mean_acceptance, 0.41, 1e-6);
+}
+
+TEST_F(Output, AnExrOfEqualContentHasEqualBytesWhateverTheExecution) {
+  const RunRecord run = markov_chain_run();
+  RunRecord slower = run;
+  slower.rendering.threads = 1;
+  slower.rendering.seconds = 99;
+  EXPECT_EQ(to_exr(run), to_exr(slower));
+  slower.rendering.film.value[0] *= 1.001;
+  EXPECT_NE(to_exr(run), to_exr(slower));
+}
+
+TEST_F(Output, WhatIsBeyondTheRangeOfAFloatIsInfiniteInAnExr) {
+  RunRecord run = markov_chain_run();
+  run.rendering.film.value = {1e39, -1e300, 3e38};
+  write_file(folder / "film.exr", to_exr(run));
+  const auto value = read_exr(folder / "film.exr").rendering.film.value;
+  EXPECT_EQ(value[0], std::numeric_limits<double>::infinity());
+  EXPECT_EQ(value[1], -std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(std::isfinite(value[2]));
+}
+
+TEST_F(Output, AnImageKeepsItsWidthAndHeight) {
+  RunRecord run;
+  run.provenance.dimension = 3;
+  run.rendering.film.shape = {2, 3};
+  run.rendering.film.value = {1, 2, 3, 4, 5, 6};
+  run.rendering.film.standard_error = std::vector<double>(6, 0.5);
+  run.rendering.film.reliable = std::vector<bool>(6, true);
+  write_file(folder / "film.exr", to_exr(run));
+  const RunRecord back = read_exr(folder / "film.exr");
+  EXPECT_EQ(back.rendering.film.shape, run.rendering.film.shape);
+  EXPECT_EQ(back.rendering.film.value, run.rendering.film.value);
+}
+
+TEST_F(Output, ADamagedExrIsRefusedAndNeverCrashes) {
+  const std::string whole = to_exr(markov_chain_run());
+  for (std::size_t size = 4; size < whole.size(); size += 7) {
+    write_file(folder / "film.exr", std::string_view(whole).substr(0, size));
+    EXPECT_THROW(read_exr(folder / "film.exr"), RunFileError) << size;
+  }
+  for (std::size_t i = 4; i < whole.size(); i += 3) {
+    std::string damaged = whole;
+    damaged[i] = static_cast<char>(~damaged[i]);
+    write_file(folder / "film.exr", damaged);
+    try {
+      read_exr(folder / "film.exr");  // an altered number is still a film
+    } catch (const RunFileError&) {
+    }
+  }
+}
+
+description::Scene scene_with_sensor(description::ShapeKind kind, int bins) {
+  description::Scene scene;
+  description::Shape shape;
+  shape.kind = std::move(kind);
+  shape.sensor = description::Sensor{{bins}};
+  scene.shapes = {description::Shape{}, shape};
+  return scene;
+}
+
+// ---- run.json
+
+TEST(RunJson, ADocumentSaysWhatTheContractSays) {
+  const nlohmann::ordered_json json = to_json(markov_chain_run());
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : json.items()) keys.push_back(key);
+  EXPECT_EQ(keys, (std::vector<std::string>{
+                      "schema",       "complete",     "scene",   "dimension",     "method",
+                      "samples",      "seed",         "threads", "seconds",       "cpu_seconds",
+                      "seed_seconds", "precision",    "film",    "normalization", "chains",
+                      "mutations",    "command_line", "version", "provenance",    "warnings"}));
+  EXPECT_EQ(json["schema"], "wanderlight-run/1");
+  EXPECT_EQ(json["film"]["shape"], nlohmann::ordered_json({3}));
+  EXPECT_EQ(json["film"]["value"][2].get<double>(), 1 / 3.0);
+  EXPECT_EQ(json["film"]["reliable"], nlohmann::ordered_json({true, false, true}));
+  EXPECT_EQ(json["film"]["degrees_of_freedom"], 31.0);
+  EXPECT_EQ(json["normalization"]["estimates"]["seed_pass"]["samples"], 100000);
+  EXPECT_EQ(json["normalization"]["by_length"][0]["vertices"], 2);
+  EXPECT_EQ(json["normalization"]["by_length"][0]["standard_error"], 0.001);
+  EXPECT_EQ(json["chains"], nlohmann::ordered_json::parse(R"({
+    "count": 64, "groups": 32, "draws": 300, "stride": 8, "longest_rejection_run": 99,
+    "r_hat": {"film": 1.004, "specular": null},
+    "ess": {"film": {"bulk": 4000.0, "tail": 3000.0}, "specular": {"bulk": null, "tail": 10.0}},
+    "ess_per_second": {"film": 3200.0, "specular": null},
+    "integrated_autocorrelation": {"film": 25.0, "specular": null}})"));
+  EXPECT_EQ(json["mutations"]["primary_small"]["squared_jump"], 0.01);
+  EXPECT_EQ(json["mutations"]["primary_small"]["longest_rejection_run"], 77);
+  EXPECT_EQ(json["mutations"]["primary_small"]["by_length"][1]["vertices"], 4);
+  EXPECT_EQ(json["mutations"]["primary_small"]["by_class"], nlohmann::ordered_json::parse(R"([
+    {"class": "LSE", "proposed": 1000, "accepted": 400, "mean_acceptance": 0.41,
+     "failures": {"occluded": 20}}])"));
+  EXPECT_EQ(json["mutations"]["primary_small"]["failures"]["occluded"], 20);
+}
+
+TEST(RunJson, NumbersThatAreNotFiniteAreNull) {
+  RunRecord run = markov_chain_run();
+  run.rendering.film.value[0] = std::numeric_limits<double>::infinity();
+  const nlohmann::ordered_json json = to_json(run);
+  EXPECT_TRUE(json["film"]["standard_error"][1].is_null());
+  EXPECT_TRUE(json["film"]["value"][0].is_null());
+}
+
+TEST(RunJson, AnIndependentSampleRunHasNoMarkovChainFields) {
+  RunRecord run = markov_chain_run();
+  run.rendering.normalization.reset();
+  run.rendering.chains = 0;
+  run.rendering.mutations.clear();
+  run.rendering.complete = false;
+  const nlohmann::ordered_json json = to_json(run);
+  EXPECT_EQ(json["complete"], false);
+  for (const char* key : {"normalization", "chains", "mutations"}) EXPECT_FALSE(json.contains(key));
+}
+
+TEST_F(Output, ARunReadsBackFromItsDirectoryToTheLastBit) {
+  const RunRecord run = markov_chain_run();
+  const description::Segment segment{{0, 0, 0}, {1, 0, 0}};
+  EXPECT_FALSE(holds_run(folder));
+  write_run(run, scene_with_sensor(segment, 3), folder);
+  EXPECT_TRUE(holds_run(folder));
+  EXPECT_EQ(to_json(read_run(folder)), to_json(run));
+  EXPECT_EQ(to_json(read_run(folder / "run.json")), to_json(run));
+  EXPECT_EQ(read_run(folder / "film.exr").rendering.method, "mlt");
+  EXPECT_TRUE(fs::exists(folder / "film.csv"));
+}
+
+TEST_F(Output, AFullDiskLeavesTheWholeFormerRun) {
+  RunRecord run = markov_chain_run();
+  const description::Scene scene = scene_with_sensor(description::Segment{{0, 0, 0}, {1, 0, 0}}, 3);
+  write_run(run, scene, folder);
+  const std::string before = contents(folder / "film.exr");
+  run.rendering.film.value[0] = 7;
+  run.provenance.scene_text = std::string(1 << 16, 'x');  // compresses in no file
+  {
+    const FileSizeLimit limit(1 << 14);
+    EXPECT_THROW(write_run(run, scene, folder), OutputError);
+  }
+  EXPECT_EQ(contents(folder / "film.exr"), before);
+  EXPECT_EQ(names().size(), 3U);
+}
+
+TEST_F(Output, AFileThatIsNoRunIsToldFromABrokenOne) {
+  write_file(folder / "scene.json", "{ \"format\": \"wanderlight-scene/1\" }");
+  EXPECT_FALSE(find_run(folder / "scene.json"));
+  EXPECT_FALSE(find_run(folder / "missing"));
+  EXPECT_THROW(read_run(folder / "scene.json"), RunFileError);
+  const std::string whole = to_json(markov_chain_run()).dump();
+  nlohmann::ordered_json broken = to_json(markov_chain_run());
+  broken["film"]["value"].push_back(1);
+  write_file(folder / "run.json", broken.dump());
+  EXPECT_THROW(find_run(folder / "run.json"), RunFileError);
+  write_file(folder / "run.json", "{\"schema\":\"wanderlight-run/1\"}");
+  EXPECT_THROW(find_run(folder), RunFileError);
+}
+
+}  // namespace
+}  // namespace wander

@@ -1,0 +1,101 @@
+// No input does harm: what is too large is refused, and mutated scenes are read or refused.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+#include "scenes/format/json_schema.h"
+#include "scenes/format/scene_file_schema.h"
+#include "tests/scenes/format/scene_texts.h"
+
+namespace wander {
+namespace {
+
+TEST(SceneLimits, MayNestAtMost32Deep) {
+  for (const std::string bracket : {"[", "{\"a\":"}) {
+    std::string text;
+    for (int i = 0; i < 1'000'000; ++i) text += bracket;
+    const std::vector<Fault> faults = faults_of(text);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].column, 32 * static_cast<int>(bracket.size()) + 1);
+    EXPECT_NE(faults[0].what.find("nested 32 deep"), std::string::npos);
+  }
+}
+
+TEST(SceneLimits, MayHaveAMillionShapesAndNoMore) {
+  std::string numbers = "1";
+  for (int i = 0; i < 1'000'000; ++i) numbers += ",1";
+  const std::vector<Fault> faults = faults_of(shapes_only("[" + numbers + "]"));
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].pointer, "/shapes/1000000");
+}
+
+TEST(SceneLimits, MayHave64MebibytesAndNoMore) {
+  const std::vector<Fault> faults = faults_of(std::string((std::size_t{64} << 20) + 1, ' '));
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_NE(faults[0].what.find("64 MiB"), std::string::npos);
+}
+
+// Replaces, inserts, removes, repeats and swaps bytes, some of which mean something in JSON.
+std::string mutated(std::string text, std::mt19937& random) {
+  static const std::vector<std::string> parts{
+      "\"",   "{",     "}",    "[",       "]",  ",", ":", "-",     "1e999", "NaN",
+      "null", "//",    "/*",   "\\u0000", "\n", "0", "1", "\\",    "\xFF",  "2.5",
+      "-1",   "\"x\"", "true", "{}",      "[]", "3", ".", "1e-400"};
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
+  for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
+    const std::size_t at = below(text.size()), length = std::min(below(12), text.size() - at);
+    switch (below(4)) {
+      case 0:
+        text.replace(at, length, parts[below(parts.size())]);
+        break;
+      case 1:
+        text.insert(at, parts[below(parts.size())]);
+        break;
+      case 2:
+        text.insert(below(text.size()), text.substr(at, length));
+        break;
+      default:
+        text[at] = static_cast<char>(below(256));
+    }
+  }
+  return text;
+}
+
+TEST(SceneLimits, MutatedByBytesIsReadOrRefusedWithPlaces) {
+  std::mt19937 random(1);
+  int valid = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const std::string text = mutated(everything, random);
+    try {
+      parse(text);
+      ++valid;
+    } catch (const SceneFileError& error) {
+      ASSERT_FALSE(error.faults.empty());
+      const auto lines = 1 + std::count(text.begin(), text.end(), '\n');
+      for (const Fault& fault : error.faults) {
+        ASSERT_TRUE(fault.line >= 1 && fault.line <= lines && fault.column >= 1) << text;
+        ASSERT_TRUE(fault.pointer.starts_with('/') && !fault.what.empty()) << text;
+        ASSERT_EQ(fault.what.find('\n'), std::string::npos) << text;
+      }
+    }
+  }
+  EXPECT_GT(valid, 20);  // mutations within comments and names, if nothing else
+}
+
+TEST(SceneSchema, IsExplainedExactlyWhereItIsViolated) {
+  std::mt19937 random(2);
+  int violated = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const std::string text = mutated(everything, random);
+    const JsonReading reading = read_json(text);
+    if (!reading.document || !reading.faults.empty()) continue;
+    const Explanation why = explain(*reading.document, scene_schema_text);
+    ASSERT_EQ(why.faults.empty(), conforms(*reading.document, scene_schema_text)) << text;
+    if (!why.faults.empty()) ++violated;
+  }
+  EXPECT_GT(violated, 50);
+}
+
+}  // namespace
+}  // namespace wander

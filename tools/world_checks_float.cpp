@@ -1,9 +1,0 @@
-#include "tools/world_checks.h"
-
-namespace wander {
-
-template void check_family<FlatlandSingle>(const description::Scene&, const Family&,
-                                           const InvarianceOptions&, const Run&,
-                                           const std::function<void(KernelCheck)>&);
-
-}  // namespace wander

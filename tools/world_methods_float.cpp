@@ -1,7 +1,0 @@
-#include "tools/world_methods.h"
-
-namespace wander {
-
-template class WorldMethods<FlatlandSingle>;
-
-}  // namespace wander

@@ -1,7 +1,0 @@
-#include "tools/world_tracers.h"
-
-namespace wander {
-
-template class WorldTracers<FlatlandSingle>;
-
-}  // namespace wander

@@ -1,0 +1,98 @@
+#include "work/parallel.h"
+
+#include <tbb/concurrent_queue.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <thread>
+
+namespace wander {
+
+namespace {
+
+int available_threads() {
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+struct Ticket {
+  std::uint64_t unit;
+  int slot;
+};
+
+}  // namespace
+
+Run::Run(const Session& session)
+    : session_(session),
+      threads_(session.threads > 0 ? session.threads : available_threads()),
+      kind_(time_kind_of(session.budget)),
+      begun_(session.begun ? *session.begun : session.clock->now()) {}
+
+void Run::report(const ProgressReport& progress) {
+  constexpr double between_reports = 0.1;  // s
+  if (!session_.report) return;
+  const double now = seconds();
+  if (now - last_report_ < between_reports) return;
+  last_report_ = now;
+  session_.report(progress);
+}
+
+int slots_of(const Run& run) { return run.threads() + 2; }
+
+void run_in_order(const Run& run, const Units& units) {
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(run.threads()));
+  tbb::task_arena arena(run.threads());
+  tbb::concurrent_bounded_queue<int> free_slots;
+  for (int slot = 0; slot < slots_of(run); ++slot) free_slots.push(slot);
+  std::uint64_t next = 0;
+  const auto take = [&](tbb::flow_control& flow) -> Ticket {
+    if (next == units.units || !units.more(next)) {
+      flow.stop();
+      return {};
+    }
+    Ticket ticket{next++, 0};
+    free_slots.pop(ticket.slot);
+    return ticket;
+  };
+  const auto work = [&](Ticket ticket) {
+    units.work(ticket.unit, ticket.slot);
+    return ticket;
+  };
+  const auto merge = [&](Ticket ticket) {
+    units.merge(ticket.unit, ticket.slot);
+    free_slots.push(ticket.slot);
+  };
+  arena.execute([&] {
+    tbb::parallel_pipeline(
+        static_cast<std::size_t>(slots_of(run)),
+        tbb::make_filter<void, Ticket>(tbb::filter_mode::serial_in_order, take) &
+            tbb::make_filter<Ticket, Ticket>(tbb::filter_mode::parallel, work) &
+            tbb::make_filter<Ticket, void>(tbb::filter_mode::serial_in_order, merge));
+  });
+}
+
+void run_parallel(const Run& run, int count, const std::function<void(int)>& work) {
+  run_within(run, [&] {
+    in_parallel(static_cast<std::size_t>(count), [&](std::size_t i) { work(static_cast<int>(i)); });
+  });
+}
+
+void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work) {
+  tbb::parallel_for(
+      tbb::blocked_range<std::size_t>(0, count, 1),
+      [&](const tbb::blocked_range<std::size_t>& range) {
+        for (std::size_t i = range.begin(); i != range.end(); ++i) work(i);
+      },
+      tbb::simple_partitioner());
+}
+
+void run_within(const Run& run, const std::function<void()>& work) {
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism,
+                            static_cast<std::size_t>(run.threads()));
+  tbb::task_arena arena(run.threads());
+  arena.execute(work);
+}
+
+}  // namespace wander
