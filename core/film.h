@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "records/rendering.h"
+#include "core/film_estimate.h"
 #include "statistics/sum.h"
 
 namespace wander {

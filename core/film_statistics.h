@@ -6,7 +6,7 @@
 
 #include <cstddef>
 
-#include "records/rendering.h"
+#include "core/film_estimate.h"
 
 namespace wander {
 

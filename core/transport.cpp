@@ -295,6 +295,10 @@ auto Transport<W>::film(const Path<W>& x) const -> typename W::Square {
                      scene_->shape(last.place.shape));
 }
 
+static_assert(MovablePathSpace<Transport<Flatland>>);
+static_assert(MovablePathSpace<Transport<FlatlandSingle>>);
+static_assert(MovablePathSpace<Transport<Spaceland>>);
+
 template class Transport<Flatland>;
 template class Transport<FlatlandSingle>;
 template class Transport<Spaceland>;

@@ -16,7 +16,7 @@
 
 #include <span>
 
-#include "core/path.h"
+#include "core/path_space.h"
 #include "core/rng.h"
 #include "core/scene.h"
 
@@ -24,8 +24,6 @@ namespace wander {
 
 // Russian roulette: whether a walk goes on depends on the vertex alone, and is part of the density.
 enum class Roulette { off, by_albedo };
-
-enum class Connection { open, occluded, facing_away };
 
 // The random numbers that a first vertex consumes.
 template <World W>

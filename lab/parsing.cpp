@@ -81,18 +81,59 @@ std::optional<TimeBudget> time_in(std::string_view text) {
   return seconds ? std::optional(TimeBudget{*seconds, TimeKind::processor}) : std::nullopt;
 }
 
-std::pair<std::string, double> weight_in(std::string_view item) {
-  const std::size_t equals = item.find('=');
-  const std::string_view word = item.substr(0, equals);
+// LOW..HIGH, or one number where the parameter is one.
+ParameterSetting setting_in(std::string_view text, std::string_view word) {
+  const std::size_t equals = text.find('=');
+  const std::string_view name = text.substr(0, equals);
+  const std::vector<ParameterFacts> known = parameters_of(word);
+  std::vector<std::string_view> names;
+  for (const ParameterFacts& each : known) names.push_back(each.name);
+  const auto found = std::ranges::find(known, name, &ParameterFacts::name);
+  if (known.empty())
+    throw UsageError(fmt::format("--mutations: {} has no parameter that can be set", word));
+  if (found == known.end())
+    throw UsageError(fmt::format("--mutations: {}",
+                                 unknown_word(fmt::format("parameter of {}", word), name, names)));
+  const std::string_view value = equals == std::string_view::npos ? "" : text.substr(equals + 1);
+  const std::size_t dots = value.find("..");
+  const auto low = number_in<double>(value.substr(0, dots));
+  const auto high = found->is_range() && dots != std::string_view::npos
+                        ? number_in<double>(value.substr(dots + 2))
+                        : low;
+  const bool is_one = dots == std::string_view::npos;
+  if (!low || !high || is_one == found->is_range() || !(*low > 0) || !(*high <= found->most) ||
+      !(found->is_range() ? *low < *high : true))
+    throw UsageError(
+        fmt::format("--mutations: '{}': allowed is {}={} above 0, up to {} ({}; usually {})", text,
+                    name, found->is_range() ? "LOW..HIGH" : "X", found->most, found->meaning,
+                    found->is_range() ? fmt::format("{}..{}", found->smallest, found->largest)
+                                      : fmt::format("{}", found->smallest)));
+  return {std::string(name), *low, *high};
+}
+
+// WORD=WEIGHT, with parameters after it.
+MutationWeight weight_in(std::string_view item) {
+  std::vector<std::string_view> parts = split(item, ':');
+  const std::size_t equals = parts.front().find('=');
+  const std::string_view word = parts.front().substr(0, equals);
   const std::vector<std::string_view> words = mutation_words();
   if (std::find(words.begin(), words.end(), word) == words.end())
     throw UsageError(fmt::format("--mutations: {}", unknown_word("mutation", word, words)));
-  const auto weight =
-      equals == std::string_view::npos ? std::nullopt : number_in<double>(item.substr(equals + 1));
+  const auto weight = equals == std::string_view::npos
+                          ? std::nullopt
+                          : number_in<double>(parts.front().substr(equals + 1));
   if (!weight || !std::isfinite(*weight) || *weight < 0)
     throw UsageError(fmt::format(
         "--mutations: '{}': allowed is {}=WEIGHT with a weight of zero or more", item, word));
-  return {std::string(word), *weight};
+  MutationWeight result{std::string(word), *weight};
+  for (const std::string_view part : std::span(parts).subspan(1)) {
+    ParameterSetting setting = setting_in(part, word);
+    if (std::ranges::find(result.parameters, setting.name, &ParameterSetting::name) !=
+        result.parameters.end())
+      throw UsageError(fmt::format("--mutations: '{}' of {} is given twice", setting.name, word));
+    result.parameters.push_back(std::move(setting));
+  }
+  return result;
 }
 
 }  // namespace
@@ -134,12 +175,11 @@ MutationWeights parse_mutations(std::string_view text) {
   MutationWeights weights;
   for (const std::string_view item : split(text, ',')) {
     auto weight = weight_in(item);
-    for (const auto& [word, earlier] : weights)
-      if (word == weight.first)
-        throw UsageError(fmt::format("--mutations: '{}' is given twice", word));
+    if (std::ranges::find(weights, weight.word, &MutationWeight::word) != weights.end())
+      throw UsageError(fmt::format("--mutations: '{}' is given twice", weight.word));
     weights.push_back(std::move(weight));
   }
-  if (std::none_of(weights.begin(), weights.end(), [](const auto& w) { return w.second > 0; }))
+  if (std::none_of(weights.begin(), weights.end(), [](const auto& w) { return w.weight > 0; }))
     throw UsageError("--mutations: at least one weight must be above zero");
   return weights;
 }
@@ -191,9 +231,15 @@ double parse_kernel(std::string_view text) {
 }
 
 std::string mutations_help() {
-  return fmt::format(
-      "auto (the default: all that the scene can use), or relative weights of these: {}=1",
+  std::string text = fmt::format(
+      "auto (the default: all that the scene can use), or relative weights of these: {}=1; with "
+      "parameters after a colon, as in lens=1:angle=1e-5..0.1; these are",
       fmt::join(mutation_words(), "=1,"));
+  for (const std::string_view word : mutation_words())
+    for (const ParameterFacts& each : parameters_of(word))
+      text += fmt::format(" {}:{}={}{}", word, each.name, each.smallest,
+                          each.is_range() ? fmt::format("..{}", each.largest) : "");
+  return text;
 }
 
 const MethodName& parse_method(std::string_view text) {

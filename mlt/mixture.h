@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "mlt/mutation.h"
-#include "mlt/seeds/seed_pass.h"
+#include "mlt/traits.h"
 
 namespace wander {
 
@@ -46,13 +46,16 @@ class Mixture {
     return {selected, proposed};
   }
 
-  // Before the chains start: what a seed pass found, for the mutations that can use it.  A kernel
-  // must learn from other seeds than those its chains start from, or the film is biased.
+  // Before the chains start: what a seed pass found, for the mutations that can use it (traits.h).
   void learn(const SeedTally& seeds) {
-    std::apply([&](Mutations&... m) { (teach(m, seeds), ...); }, mutations_);
+    std::apply([&](Mutations&... m) { (traits<Mutations>.learn(m, seeds), ...); }, mutations_);
   }
 
   const std::array<double, count>& weights() const { return weights_; }
+  template <class M>
+  const M& get() const {
+    return std::get<M>(mutations_);
+  }
   // The same mutations, of which mutation i alone is ever selected.
   Mixture only(std::size_t i) const {
     Mixture one = *this;
@@ -79,11 +82,6 @@ class Mixture {
   }
 
  private:
-  template <class M>
-  static void teach(M& mutation, const SeedTally& seeds) {
-    if constexpr (requires { mutation.learn(seeds); }) mutation.learn(seeds);
-  }
-
   // Calls f with the mutation of that index.
   template <class F>
   Proposed dispatch(std::size_t index, F&& f) const {

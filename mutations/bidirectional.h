@@ -17,13 +17,12 @@
 #include "core/techniques.h"
 #include "mlt/join.h"
 #include "mlt/mutation.h"
+#include "mlt/traits.h"
 
 namespace wander {
 
 struct Bidirectional {
   static constexpr std::string_view name = "bidirectional";
-  // It is refused more often than the others, and moves less on the film.
-  static constexpr double auto_weight = 0.5;
   // No more vertices than this are deleted or added at once.
   static constexpr int most_replaced = 16;
   // Probability that what is deleted lies at the sensor's end.
@@ -186,5 +185,9 @@ struct Bidirectional {
     return evaluate(space, y, std::max(0, kept.light - 1), std::min(n - 1, kept.light + a));
   }
 };
+
+// It is refused more often than the others, and moves less on the film.
+template <>
+inline constexpr Traits<Bidirectional> traits<Bidirectional>{.auto_weight = 0.5};
 
 }  // namespace wander

@@ -1,84 +1,93 @@
 #include "mutations/catalogue.h"
 
 #include <algorithm>
+#include <concepts>
+
+#include "core/transport.h"
 
 namespace wander {
 
 namespace {
 
-template <class M>
-constexpr std::string_view word_of() {
-  if constexpr (requires { M::word; })
-    return M::word;
-  else
-    return M::name;
+template <class... Ms, class... Spaces>
+consteval bool are_mutations_of(const Mixture<Ms...>*, const Spaces*...) {
+  const auto in_all = []<class M>(const M*) { return (Mutation<M, Spaces, Rng> && ...); };
+  return (in_all(static_cast<const Ms*>(nullptr)) && ...);
 }
-
-template <class M>
-double share_of([[maybe_unused]] double large_step) {
-  if constexpr (requires { M::share(large_step); })
-    return M::share(large_step);
-  else
-    return 1;
-}
-
-template <class M>
-constexpr double auto_weight_of() {
-  if constexpr (requires { M::auto_weight; })
-    return M::auto_weight;
-  else
-    return 1;
-}
-
-template <class M>
-std::string_view left_out([[maybe_unused]] const Requirements& scene) {
-  if constexpr (requires { M::left_out(scene); })
-    return M::left_out(scene);
-  else
-    return {};
-}
-
-// An aggregate could be made of a number, too, but its parameters are not the length of paths.
-template <class M>
-M make([[maybe_unused]] double kernel, [[maybe_unused]] int max_vertices) {
-  if constexpr (!std::is_aggregate_v<M> && std::is_constructible_v<M, int>)
-    return M(max_vertices);
-  else if constexpr (requires { M{}.scaled(kernel); })
-    return M{}.scaled(kernel);
-  else
-    return M{};
-}
-
-template <class M>
-double weight_of(const FamilySettings& settings) {
-  const MutationWeights& weights = settings.weights;
-  if (weights.empty()) return share_of<M>(settings.large_step);
-  const auto given = std::ranges::find(weights, word_of<M>(), &MutationWeights::value_type::first);
-  return given == weights.end() ? 0 : given->second * share_of<M>(settings.large_step);
-}
-
-template <class M>
-void choose(const Requirements& scene, MutationChoice& choice) {
-  const std::string name(M::name), word(word_of<M>());
-  if (const std::string_view why = left_out<M>(scene); !why.empty()) {
-    choice.left_out[name] = why;
-    return;
-  }
-  choice.taken.push_back(name);
-  const auto known = std::ranges::find(choice.weights, word, &MutationWeights::value_type::first);
-  if (known == choice.weights.end()) choice.weights.emplace_back(word, auto_weight_of<M>());
-}
+constexpr const Family* family = nullptr;
+static_assert(are_mutations_of(family, static_cast<const Transport<Flatland>*>(nullptr),
+                               static_cast<const Transport<FlatlandSingle>*>(nullptr),
+                               static_cast<const Transport<Spaceland>*>(nullptr)));
 
 // Calls f.template operator()<M>() for every mutation of the family, in its order.
 template <class... Ms, class F>
 void for_each_mutation(const Mixture<Ms...>*, F&& f) {
   (f.template operator()<Ms>(), ...);
 }
-constexpr const Family* family = nullptr;
+
+const MutationWeight* find(const MutationWeights& weights, std::string_view word) {
+  const auto found = std::ranges::find(weights, word, &MutationWeight::word);
+  return found == weights.end() ? nullptr : &*found;
+}
+
+// With the parameters that its file states, or for the longest path.
+template <class M>
+M usual([[maybe_unused]] int max_vertices) {
+  if constexpr (std::default_initializable<M>)
+    return M{};
+  else
+    return M(max_vertices);
+}
+
+template <class M>
+M make(const FamilySettings& settings, int max_vertices) {
+  M mutation = traits<M>.scaled(usual<M>(max_vertices), settings.kernel);
+  const MutationWeight* given = find(settings.weights, traits<M>.word);
+  if (given == nullptr) return mutation;
+  for (const ParameterSetting& set : given->parameters)
+    for (const Parameter<M>& parameter : traits<M>.parameters) {
+      if (parameter.name != set.name) continue;
+      const Ends ends = parameter.ends(mutation);
+      ends.smallest = set.smallest;
+      ends.largest = set.largest;
+    }
+  return mutation;
+}
+
+template <class M>
+double weight_of(const FamilySettings& settings) {
+  const double share = traits<M>.share(settings.large_step);
+  if (settings.weights.empty()) return share;
+  const MutationWeight* given = find(settings.weights, traits<M>.word);
+  return given == nullptr ? 0 : given->weight * share;
+}
+
+template <class M>
+void choose(const Requirements& scene, MutationChoice& choice) {
+  const std::string name(M::name), word(traits<M>.word);
+  if (const std::string_view why = traits<M>.left_out(scene); !why.empty()) {
+    choice.left_out[name] = why;
+    return;
+  }
+  choice.taken.push_back(name);
+  if (find(choice.weights, word) == nullptr)
+    choice.weights.push_back({word, traits<M>.auto_weight});
+}
+
+template <class M>
+void add_parameters(std::vector<ParameterFacts>& facts) {
+  constexpr int any_length = 2;
+  M mutation = usual<M>(any_length);
+  for (const Parameter<M>& parameter : traits<M>.parameters) {
+    const Ends ends = parameter.ends(mutation);
+    facts.push_back(
+        {parameter.name, parameter.meaning, ends.smallest, ends.largest, parameter.most});
+  }
+}
 
 template <class... Ms>
 Mixture<Ms...> made(const Mixture<Ms...>*, const FamilySettings& settings, int max_vertices) {
-  return Mixture<Ms...>({weight_of<Ms>(settings)...}, make<Ms>(settings.kernel, max_vertices)...);
+  return Mixture<Ms...>({weight_of<Ms>(settings)...}, make<Ms>(settings, max_vertices)...);
 }
 
 }  // namespace
@@ -86,9 +95,17 @@ Mixture<Ms...> made(const Mixture<Ms...>*, const FamilySettings& settings, int m
 std::vector<std::string_view> mutation_words() {
   std::vector<std::string_view> words;
   for_each_mutation(family, [&]<class M>() {
-    if (std::ranges::find(words, word_of<M>()) == words.end()) words.push_back(word_of<M>());
+    if (std::ranges::find(words, traits<M>.word) == words.end()) words.push_back(traits<M>.word);
   });
   return words;
+}
+
+std::vector<ParameterFacts> parameters_of(std::string_view word) {
+  std::vector<ParameterFacts> facts;
+  for_each_mutation(family, [&]<class M>() {
+    if (traits<M>.word == word) add_parameters<M>(facts);
+  });
+  return facts;
 }
 
 MutationChoice choose_mutations(const Requirements& scene) {

@@ -1,16 +1,9 @@
-// The mutations by name.  A new one is a file of its own, included here, and its place in `Family`.
-//
-// Beside what every mutation has (mlt/mutation.h), one may say
-// - `word`, of --mutations, that it goes by if not by its name; a word may stand for several;
-// - `share(large_step)`, its part of that word's weight, if not 1;
-// - `scaled(factor)`, the same mutation with moves so many times as far, if it moves a little;
-// - `auto_weight`, of its word where the weights are `auto`, if not 1;
-// - `left_out(scene)`, why a scene has no use for it; empty if it has.
+// The mutations by name.  A new one is a file of its own, included here, and its place in `Family`;
+// what it says of itself beside proposing is in its Traits (mlt/traits.h).
 #pragma once
 
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/requirements.h"
@@ -29,8 +22,32 @@ using Family = Mixture<Bidirectional, Lens, Caustic, Multichain, PrimarySmall, P
 // The words of --mutations, each once.
 std::vector<std::string_view> mutation_words();
 
-// Relative weights by word; words that are not there weigh nothing.
-using MutationWeights = std::vector<std::pair<std::string, double>>;
+// A parameter of a mutation as people read it; `smallest` and `largest` are the usual ones, the
+// same number twice where it is no range.
+struct ParameterFacts {
+  std::string_view name, meaning;
+  double smallest = 0, largest = 0, most = 0;
+  bool is_range() const { return smallest != largest; }
+};
+// Of the mutations that go by a word.
+std::vector<ParameterFacts> parameters_of(std::string_view word);
+
+// A parameter that was set.
+struct ParameterSetting {
+  std::string name;
+  double smallest = 0, largest = 0;
+  friend bool operator==(const ParameterSetting&, const ParameterSetting&) = default;
+};
+
+// A word with its relative weight, and what was set.
+struct MutationWeight {
+  std::string word;
+  double weight = 0;
+  std::vector<ParameterSetting> parameters{};
+  friend bool operator==(const MutationWeight&, const MutationWeight&) = default;
+};
+// Words that are not there weigh nothing.
+using MutationWeights = std::vector<MutationWeight>;
 
 // What `auto` makes of a scene: the mutations it takes, and why it leaves out the others.
 struct MutationChoice {
@@ -44,7 +61,7 @@ MutationChoice choose_mutations(const Requirements& scene);
 struct FamilySettings {
   MutationWeights weights{};
   double large_step = default_large_step;  // of the primary steps, the share that is large
-  double kernel = 1;                       // a factor on how far small moves go
+  double kernel = 1;  // a factor on how far small moves go, where it is not set
 };
 
 // The mixture for paths of up to `max_vertices` vertices.  No weights: every mutation.

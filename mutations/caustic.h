@@ -18,8 +18,6 @@ struct Caustic {
   static constexpr std::string_view name = "caustic";
   PerturbationRange range{};
 
-  Caustic scaled(double factor) const { return {range.scaled(factor)}; }
-
   static std::string_view left_out(const Requirements& scene) {
     if (scene.caustic_paths_possible || scene.glossy) return {};
     return "no smooth or rough mirror or glass focuses light on a surface that scatters or listens";
@@ -49,5 +47,11 @@ struct Caustic {
     return Stretch{Toward::sensor, next_not_specular(x, last, Toward::light), last};
   }
 };
+
+template <>
+inline constexpr Traits<Caustic> traits<Caustic>{
+    .left_out = Caustic::left_out,
+    .scaled = [](const Caustic& m, double factor) { return Caustic{m.range.scaled(factor)}; },
+    .parameters = perturbation_parameters<Caustic>};
 
 }  // namespace wander

@@ -16,8 +16,6 @@ struct Lens {
   static constexpr std::string_view name = "lens";
   PerturbationRange range{};
 
-  Lens scaled(double factor) const { return {range.scaled(factor)}; }
-
   template <class Space>
   double applicability(const Space&, const Path<typename Space::Universe>& x) const {
     return stretch(x) ? 1 : 0;
@@ -40,5 +38,10 @@ struct Lens {
     return Stretch{Toward::light, end, d};
   }
 };
+
+template <>
+inline constexpr Traits<Lens> traits<Lens>{
+    .scaled = [](const Lens& m, double factor) { return Lens{m.range.scaled(factor)}; },
+    .parameters = perturbation_parameters<Lens>};
 
 }  // namespace wander

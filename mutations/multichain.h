@@ -18,8 +18,6 @@ struct Multichain {
   static constexpr std::string_view name = "multichain";
   PerturbationRange range{};
 
-  Multichain scaled(double factor) const { return {range.scaled(factor)}; }
-
   static std::string_view left_out(const Requirements& scene) {
     if (scene.specular && scene.scatters && scene.max_vertices >= 4) return {};
     return "no path has a specular vertex behind one that scatters, as the sensor sees it";
@@ -50,5 +48,11 @@ struct Multichain {
     return Stretch{Toward::light, end, d};
   }
 };
+
+template <>
+inline constexpr Traits<Multichain> traits<Multichain>{
+    .left_out = Multichain::left_out,
+    .scaled = [](const Multichain& m, double factor) { return Multichain{m.range.scaled(factor)}; },
+    .parameters = perturbation_parameters<Multichain>};
 
 }  // namespace wander

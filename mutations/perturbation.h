@@ -14,11 +14,13 @@
 // left of dω/dA in the ratio is the cosine at each turned direction.  Measure: area product.
 #pragma once
 
+#include <array>
 #include <numbers>
 
 #include "core/transport.h"
 #include "mlt/join.h"
 #include "mlt/mutation.h"
+#include "mlt/traits.h"
 #include "mutations/log_uniform.h"
 
 namespace wander {
@@ -33,6 +35,19 @@ struct PerturbationRange {
     return {position.scaled(factor, 1), angle.scaled(factor, std::numbers::pi)};
   }
 };
+
+// Of a mutation with such a range.
+template <class M>
+inline constexpr std::array<Parameter<M>, 2> perturbation_parameters{{
+    {"position", "how far an end moves, as a share of the film or of the light's extent", 1,
+     [](M& m) -> Ends {
+       return {m.range.position.smallest, m.range.position.largest};
+     }},
+    {"angle", "how far a direction turns, in radians", std::numbers::pi,
+     [](M& m) -> Ends {
+       return {m.range.angle.smallest, m.range.angle.largest};
+     }},
+}};
 
 struct Stretch {
   Toward toward;

@@ -14,16 +14,14 @@
 
 #include "mlt/mutation.h"
 #include "mlt/primary/single_technique.h"
-#include "mlt/seeds/seed_pass.h"
+#include "mlt/traits.h"
 #include "mutations/primary.h"
 
 namespace wander {
 
 class PrimaryLarge {
  public:
-  static constexpr std::string_view name = "primary_large", word = primary_word;
-  static constexpr double auto_weight = primary_auto_weight;
-  static constexpr double share(double large_step) { return large_step; }
+  static constexpr std::string_view name = "primary_large";
   // Of q, after a seed pass.
   static constexpr double uniform_part = 0.25;
 
@@ -85,5 +83,12 @@ class PrimaryLarge {
   std::vector<double> length_pmf_;  // q(n) at n - 2; sums to 1
   TechniqueTable technique_pmf_;    // q(s | n); beyond the table, uniform
 };
+
+template <>
+inline constexpr Traits<PrimaryLarge> traits<PrimaryLarge>{
+    .word = primary_word,
+    .auto_weight = primary_auto_weight,
+    .share = [](double large_step) { return large_step; },
+    .learn = [](PrimaryLarge& m, const SeedTally& seeds) { m.learn(seeds); }};
 
 }  // namespace wander

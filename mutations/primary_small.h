@@ -10,18 +10,15 @@
 #include "core/transport.h"
 #include "mlt/join.h"
 #include "mlt/mutation.h"
+#include "mlt/traits.h"
 #include "mutations/kelemen.h"
 #include "mutations/primary.h"
 
 namespace wander {
 
 struct PrimarySmall {
-  static constexpr std::string_view name = "primary_small", word = primary_word;
-  static constexpr double auto_weight = primary_auto_weight;
-  static constexpr double share(double large_step) { return 1 - large_step; }
+  static constexpr std::string_view name = "primary_small";
   Kelemen kernel{};
-
-  PrimarySmall scaled(double factor) const { return {kernel.scaled(factor)}; }
 
   template <class Space>
   double applicability(const Space&, const Path<typename Space::Universe>&) const {
@@ -81,5 +78,19 @@ struct PrimarySmall {
     return density;
   }
 };
+
+inline constexpr std::array<Parameter<PrimarySmall>, 1> primary_small_parameters{
+    {{"step", "how far a random number moves, of [0,1)", 0.5, [](PrimarySmall& m) -> Ends {
+        return {m.kernel.smallest, m.kernel.largest};
+      }}}};
+
+template <>
+inline constexpr Traits<PrimarySmall> traits<PrimarySmall>{
+    .word = primary_word,
+    .auto_weight = primary_auto_weight,
+    .share = [](double large_step) { return 1 - large_step; },
+    .scaled = [](const PrimarySmall& m,
+                 double factor) { return PrimarySmall{m.kernel.scaled(factor)}; },
+    .parameters = primary_small_parameters};
 
 }  // namespace wander

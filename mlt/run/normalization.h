@@ -13,7 +13,7 @@
 #include <span>
 
 #include "mlt/run/group_findings.h"
-#include "records/rendering.h"
+#include "mlt/run/normalization_record.h"
 
 namespace wander {
 

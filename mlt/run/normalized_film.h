@@ -11,7 +11,7 @@
 
 #include "mlt/run/group_findings.h"
 #include "mlt/run/normalization.h"
-#include "records/rendering.h"
+#include "core/film_estimate.h"
 
 namespace wander {
 

@@ -12,9 +12,9 @@
 
 #include "core/path_class.h"
 #include "core/path_sampler.h"
-#include "core/technique_table.h"
 #include "mlt/primary/primary_numbers.h"
 #include "mlt/seeds/ratio_histogram.h"
+#include "mlt/seeds/seed_tally.h"
 #include "mlt/seeds/seeds.h"
 #include "statistics/sum.h"
 
@@ -23,41 +23,6 @@ namespace wander {
 class SeedReplayError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
-};
-
-// Σ and Σ² over samples, of all paths and of each length.
-struct SeedTally {
-  std::uint64_t samples = 0;
-  std::vector<Sum> sum, squares;  // by vertices - 2
-  Sum total, total_squares;
-  TechniqueTable techniques;  // Σ w f/p of each
-
-  explicit SeedTally(int max_vertices)
-      : sum(static_cast<std::size_t>(max_vertices) - 1),
-        squares(sum.size()),
-        techniques(max_vertices) {}
-  void merge(const SeedTally& other) {
-    samples += other.samples;
-    for (std::size_t k = 0; k < sum.size(); ++k) {
-      sum[k] += other.sum[k];
-      squares[k] += other.squares[k];
-    }
-    total += other.total;
-    total_squares += other.total_squares;
-    for (std::size_t i = 0; i < techniques.values().size(); ++i)
-      techniques.values()[i] += other.techniques.values()[i];
-  }
-  // Of the paths of so many vertices.
-  double mean(int vertices) const {
-    const double total_of_length = sum[static_cast<std::size_t>(vertices) - 2].value();
-    return samples > 0 ? total_of_length / static_cast<double>(samples) : 0;
-  }
-  double mean() const { return samples > 0 ? total.value() / static_cast<double>(samples) : 0; }
-  // (Σ x)² / Σ x²: how many samples carry the estimate.
-  double effective_samples() const {
-    const double squared = total_squares.value();
-    return squared > 0 ? total.value() * total.value() / squared : 0;
-  }
 };
 
 // What normalization asks of a slice beside its tally: the ratios l = f / p̄ of what it found, by

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "records/rendering.h"
+#include "mlt/watch/chains_record.h"
 
 namespace wander {
 

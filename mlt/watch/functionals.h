@@ -12,7 +12,7 @@
 #include "core/path.h"
 #include "mlt/watch/diagnostics.h"
 #include "mlt/watch/statistics.h"
-#include "records/rendering.h"
+#include "mlt/watch/chains_record.h"
 
 namespace wander {
 

@@ -11,7 +11,7 @@
 
 #include "core/path_class.h"
 #include "mlt/chain.h"
-#include "records/rendering.h"
+#include "mlt/watch/chains_record.h"
 #include "statistics/sum.h"
 
 namespace wander {

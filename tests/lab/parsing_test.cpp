@@ -71,6 +71,32 @@ TEST(Mutations, ABadSpecIsAUsageError) {
     EXPECT_THROW(parse_mutations(text), UsageError) << text;
 }
 
+TEST(Mutations, ParametersFollowTheWeightOfTheirWord) {
+  EXPECT_EQ(parse_mutations("lens=1:angle=1e-5..0.1:position=0.01..0.5,primary=2:step=0.001..0.25"),
+            (MutationWeights{{"lens", 1, {{"angle", 1e-5, 0.1}, {"position", 0.01, 0.5}}},
+                             {"primary", 2, {{"step", 0.001, 0.25}}}}));
+}
+
+TEST(Mutations, ABadParameterIsAUsageError) {
+  for (const char* text :
+       {"lens=1:angle", "lens=1:angle=", "lens=1:angle=0.1", "lens=1:angle=0.1..",
+        "lens=1:angle=..1", "lens=1:angle=0.2..0.1", "lens=1:angle=0..0.1", "lens=1:angle=0.1..4",
+        "lens=1:angel=0.1..1", "lens=1:step=0.1..0.2", "lens=1:angle=0.1..0.2:angle=0.1..0.2",
+        "lens=1:", "lens:angle=0.1..1", "bidirectional=1:angle=0.1..0.2", "primary=1:step=0.1..0.6",
+        "lens=1:angle=nan..1"})
+    EXPECT_THROW(parse_mutations(text), UsageError) << text;
+}
+
+TEST(Mutations, AnUnknownParameterIsAnsweredWithTheNearest) {
+  try {
+    parse_mutations("lens=1:angel=0.1..1");
+    FAIL();
+  } catch (const UsageError& error) {
+    EXPECT_EQ(error.what(), std::string("--mutations: unknown parameter of lens \"angel\"; did you "
+                                        "mean \"angle\"? allowed are position, angle"));
+  }
+}
+
 TEST(Method, EveryMethodOfTheProgramIsExplained) {
   ASSERT_EQ(method_names().size(), methods.size());
   for (std::size_t i = 0; i < methods.size(); ++i) EXPECT_EQ(method_names()[i], methods[i].name);

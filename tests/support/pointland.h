@@ -163,6 +163,8 @@ class Graph {
   std::vector<std::vector<double>> walk_;                      // by pair (known, node)
 };
 
+static_assert(PathSpace<Graph>);
+
 // The graphs of the proof: diffuse; mirror; glass; two lights and two sensors; a pinhole; sides
 // that are dark one way.  Four or five nodes, up to five vertices, at most some hundreds of light
 // paths.
