@@ -42,6 +42,11 @@ class LengthFilms {
   void clear();
   std::map<int, std::vector<double>> scaled(double factor) const;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(bins_, films_);
+  }
+
  private:
   int bins_;
   std::vector<std::vector<Sum>> films_;  // by number of vertices - 2; empty until one contributes
@@ -58,9 +63,19 @@ class TechniqueTally {
   // Σ of the contributions of all techniques that have fewer effective samples than this.
   double rare_light(double effective_samples) const;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(longest_, sums_);
+  }
+
  private:
   struct Sums {
     double sum = 0, squares = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(sum, squares);
+    }
   };
   int longest_;  // longer paths share the last entry
   std::vector<Sums> sums_;
@@ -79,6 +94,12 @@ class SampleFilm {
 
   std::uint64_t samples() const { return samples_; }
   FilmEstimate estimate(std::span<const int> resolution) const;
+
+  // Between two samples.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(sum_, squares_, lengths_, techniques_, samples_);
+  }
 
  private:
   std::vector<Sum> sum_, squares_;

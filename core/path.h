@@ -28,6 +28,12 @@ struct Place {
   typename W::Direction normal{};
   typename W::Direction to_sensor{};  // unit vector along the edge towards the sensor
   ShapeId shape = no_shape;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    for (int k = 0; k < W::dimension; ++k) archive(position[k], normal[k], to_sensor[k]);
+    archive(shape);
+  }
 };
 
 template <class W>
@@ -37,6 +43,11 @@ struct Vertex {
   double geometry = 0;
   Real value = 0, from_light = 0, from_sensor = 0;
   Event event = Event::scattering;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(place, geometry, value, from_light, from_sensor, event);
+  }
 };
 
 // Memory is reserved once, for the longest path of a scene; no operation below allocates.
@@ -64,6 +75,11 @@ class Path {
   Scaled intensity;
   std::vector<double>& weights() { return weights_; }
   const std::vector<double>& weights() const { return weights_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(vertices_, weights_, contribution, intensity);
+  }
 
  private:
   std::vector<Vertex<W>> vertices_;

@@ -56,6 +56,11 @@ class ClassTable {
   std::size_t size() const { return codes_.size(); }  // index 0 included
   PathClass code(std::size_t index) const { return codes_[index]; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(places_, codes_);
+  }
+
  private:
   std::vector<std::uint16_t> places_;  // open addressing; at most half of them are taken
   std::vector<PathClass> codes_;

@@ -67,6 +67,11 @@ class Scaled {
   }
   friend bool operator==(Scaled a, Scaled b) = default;
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(mantissa_, exponent_);
+  }
+
  private:
   static constexpr double infinity() { return std::numeric_limits<double>::infinity(); }
   static constexpr double power_of_two(std::int64_t e) {  // -1022 <= e <= 1023

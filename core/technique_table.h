@@ -26,6 +26,11 @@ class TechniqueTable {
   std::span<double> values() { return values_; }
   std::span<const double> values() const { return values_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(most_, values_);
+  }
+
  private:
   static int begin(int n) { return n * (n + 1) / 2 - 3; }  // Σ_{k=2}^{n-1} (k + 1)
   static std::size_t offset(int n) { return static_cast<std::size_t>(begin(n)); }

@@ -56,6 +56,12 @@ class Chain {
     return std::holds_alternative<Proposal>(kernel_->propose(space, current_, y, random).proposed);
   }
 
+  // The state: what the last proposal left is of no use any more.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(current_);
+  }
+
   template <class Random, class Observer>
   void step(Random& random, Observer&& observe) {
     auto [mutation, outcome] = kernel_->propose(*space_, current_, proposed_, random);

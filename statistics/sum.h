@@ -18,6 +18,11 @@ class Sum {
   }
   double value() const { return total_ + lost_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(total_, lost_);
+  }
+
  private:
   double total_ = 0, lost_ = 0;
 };

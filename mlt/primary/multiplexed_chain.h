@@ -41,6 +41,11 @@ class MultiplexedChain {
     return y.flaw == Reason::none;
   }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(chain_);
+  }
+
   // The observer gets a PrimaryStep of MultiplexedPath.
   template <class Random, class Observer>
   void step(Random& random, Observer&& observe) {

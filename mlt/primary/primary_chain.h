@@ -80,6 +80,12 @@ class PrimaryChain {
   // While a step is observed.
   const PrimaryNumbers& proposed_numbers() const { return proposed_.numbers; }
 
+  // The state: what the last proposal left is of no use any more.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(current_);
+  }
+
   // Starts at the sample of these numbers.  False: they are not all that the sampler asks for.
   bool start(Sampler& sampler, const PrimaryNumbers& numbers) {
     bool complete = true;
@@ -110,6 +116,11 @@ class PrimaryChain {
     Sample sample;
     explicit State(const Sampler& sampler)
         : numbers(sampler.coordinates()), sample(sampler.make_sample()) {}
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(numbers, sample);
+    }
   };
 
   static double acceptance_of(double from, double to) {

@@ -24,10 +24,20 @@ class PrimaryNumbers {
   void set(std::size_t k, double u) { slots_[k] = {u, round_}; }
   std::size_t size() const { return slots_.size(); }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(slots_, round_);
+  }
+
  private:
   struct Slot {
     double value = 0;
     std::uint64_t round = 0;  // in which it was set
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(value, round);
+    }
   };
   std::vector<Slot> slots_;
   std::uint64_t round_ = 1;

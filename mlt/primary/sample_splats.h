@@ -13,6 +13,11 @@ namespace wander {
 struct Splat {
   Features features{};
   double weight = 0;  // w f / p
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(features, weight);
+  }
 };
 
 // Memory is reserved once, for a splat of every technique.
@@ -35,6 +40,11 @@ struct SampleSplats {
   Features brightest() const {
     const auto found = std::ranges::max_element(splats, {}, &Splat::weight);
     return found == splats.end() ? Features{} : found->features;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(splats, total, flaw);
   }
 };
 

@@ -29,6 +29,11 @@ class GroupFilm {
   const std::vector<Sum>& by_length() const { return by_length_; }
   const LengthFilms& lengths() const { return lengths_; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(weights_, by_length_, lengths_);
+  }
+
  private:
   std::vector<Sum> weights_, by_length_;
   LengthFilms lengths_;

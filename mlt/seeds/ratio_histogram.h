@@ -18,6 +18,11 @@ class RatioHistogram {
 
   struct Bin {
     double count = 0, sum = 0;  // of l
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(count, sum);
+    }
   };
 
   // A positive number; the histogram grows to hold it.
@@ -70,6 +75,11 @@ class RatioHistogram {
     double sum = 0;
     for (const Bin& bin : bins_) sum += bin.count;
     return sum;
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(first_, bins_);
   }
 
  private:

@@ -35,6 +35,11 @@ struct SeedEvidence {
 
   SeedEvidence(int strata, int bins)
       : ratios(static_cast<std::size_t>(strata)), film(static_cast<std::size_t>(bins)) {}
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(ratios, film, classes, by_class);
+  }
 };
 
 // One group's slice of the seed pass.  `Seeds` is what it draws for the chains (seeds.h).
@@ -61,6 +66,12 @@ class SeedSlice {
   const SeedEvidence& evidence() const { return evidence_; }
   bool found_light() const { return tally_.total.value() > 0; }
   const Seed& seed(int chain) const { return seeds_[chain]; }
+
+  // Between two samples.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(seeds_, tally_, evidence_);
+  }
 
   // The path of a seed, whose weight must come out as it was, bit for bit.
   Path<W> replay(const Seed& seed, int max_vertices) {

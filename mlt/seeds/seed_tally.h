@@ -43,6 +43,11 @@ struct SeedTally {
     const double squared = total_squares.value();
     return squared > 0 ? total.value() * total.value() / squared : 0;
   }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(samples, sum, squares, total, total_squares, techniques);
+  }
 };
 
 }  // namespace wander

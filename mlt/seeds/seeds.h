@@ -16,6 +16,11 @@ struct Seed {
   std::uint64_t sample = 0;
   int vertices = 0, technique = 0;
   double weight = 0;  // w f / p
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(sample, vertices, technique, weight);
+  }
 };
 
 // What the target density of a chain is divided by: the intensity of paths per sample, or that of
@@ -35,6 +40,11 @@ class Reservoirs {
       if (random.uniform() < share) seed = candidate;
   }
   const Seed& operator[](int i) const { return seeds_[static_cast<std::size_t>(i)]; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(seeds_, total_);
+  }
 
  private:
   std::vector<Seed> seeds_;
@@ -58,6 +68,11 @@ class PathSeeds {
   void offer_sample(const Seed&) {}
   const Seed& operator[](int chain) const { return reservoirs_[chain]; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(reservoirs_);
+  }
+
  private:
   Rng random_;
   Reservoirs reservoirs_;
@@ -75,6 +90,11 @@ class SampleSeeds {
   void offer_path(const Seed&) {}
   void offer_sample(const Seed& sample) { reservoirs_.offer(sample, random_); }
   const Seed& operator[](int chain) const { return reservoirs_[chain]; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(reservoirs_);
+  }
 
  private:
   Rng random_;
@@ -97,6 +117,11 @@ class LengthSeeds {
   void offer_sample(const Seed&) {}
   const Seed& operator[](int length) const {
     return reservoirs_[static_cast<std::size_t>(length)][0];
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    for (Reservoirs& reservoir : reservoirs_) archive(reservoir);
   }
 
  private:

@@ -52,6 +52,11 @@ class ThinnedDraws {
   std::size_t size() const { return draws_.size(); }
   const Functionals& operator[](std::size_t draw) const { return draws_[draw]; }
 
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(draws_, steps_, stride_);
+  }
+
  private:
   void keep(const Functionals& draw) {
     draws_.push_back(draw);

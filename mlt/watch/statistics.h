@@ -23,6 +23,11 @@ struct Features {
   PathClass path_class = other_class;
 
   bool is_dark() const { return vertices == 0; }  // a state that carries no light
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(film, bin, vertices, path_class);
+  }
 };
 
 template <class Space>
@@ -68,6 +73,11 @@ struct RejectionRuns {
   explicit RejectionRuns(std::size_t mutations) : of_mutation(mutations) {}
   std::uint64_t whole = 0;                 // steps since the state moved
   std::vector<std::uint64_t> of_mutation;  // proposals of each since one of its own was accepted
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(whole, of_mutation);
+  }
 };
 
 class MutationStatistics {
@@ -107,6 +117,12 @@ class MutationStatistics {
   };
   std::vector<Visits> visits() const;
 
+  // Into statistics of the same mutations.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(tallies_, lengths_, classes_, by_length_, by_class_, groups_of_class_, longest_run_);
+  }
+
  private:
   struct Outcomes {
     std::array<std::uint64_t, reason_names.size()> reasons{};
@@ -116,6 +132,11 @@ class MutationStatistics {
     void merge(const Outcomes& other);
     std::uint64_t proposed() const;
     PathsRecord record() const;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(reasons, acceptance);
+    }
   };
   struct Tally {
     std::string_view name;
@@ -124,6 +145,13 @@ class MutationStatistics {
     double measured_seconds = 0;
     std::uint64_t measured = 0;
     std::vector<double> proposed_per_bin, acceptance_per_bin;
+
+    // All but the name.
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(squared_jump, longest_run, measured_seconds, measured, proposed_per_bin,
+              acceptance_per_bin);
+    }
   };
   Outcomes& by_length(std::size_t length, std::size_t mutation) {
     return by_length_[length * tallies_.size() + mutation];
