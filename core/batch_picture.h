@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-#include "records/rendering.h"
+#include "core/film_estimate.h"
 
 namespace wander {
 

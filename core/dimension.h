@@ -7,10 +7,10 @@
 //   spread(r)        r^(D-1): what a unit of angle covers at distance r
 //   reflection       ∂ω_h/∂ω_o = 1 / (2^(D-1) |o·h|^(D-2))
 //   ball             uniform points of a unit lens, which has one dimension less
-//   ring             offsets of length r in the unit square (a sign; an angle), and how many they
-//   are cone             directions at an angle θ from another (two; a circle), and how many they
-//   are boundary         of a box with these extents, up to a factor: perimeter, area ggx density
-//   of microfacet normals per unit of angle, ∫ D(h) cos θ_h dω_h = 1
+//   ring             offsets of length r in the unit square (a sign; an angle), and how many they are
+//   cone             directions at an angle θ from another (two; a circle), and how many they are
+//   boundary         of a box with these extents, up to a factor: perimeter, area
+//   ggx              density of microfacet normals per unit of angle, ∫ D(h) cos θ_h dω_h = 1
 //   *_sample/_invert a map of the unit cube onto directions, and back
 // Local vectors have the surface normal as their last axis.
 #pragma once

@@ -4,8 +4,8 @@
 // All values and densities are with respect to *projected angle* dσ⊥ = |cos θ| dω, so a density of
 // directions times the geometry term G is a density of area, and where a direction is sampled in
 // proportion to the cosine nothing has to be divided by it.
-//   value          f_s(light → sensor)                     [Veach 1997, ch. 5: not symmetric in
-//   glass] toward_sensor  density of sampling the sensor's direction, given the light's
+//   value          f_s(light → sensor)     [Veach 1997, ch. 5: not symmetric in glass]
+//   toward_sensor  density of sampling the sensor's direction, given the light's
 //   toward_light   density of sampling the light's direction, given the sensor's
 // For specular events all three are coefficients of one formal δ with ∫ δ n^(D-1) dσ⊥ = 1 on either
 // side of the surface (n: index of refraction there); it cancels in every ratio, and étendue

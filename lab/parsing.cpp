@@ -304,15 +304,6 @@ double parse_resolution(std::string_view what, std::string_view text) {
   return *dpi;
 }
 
-ProgressMode parse_progress(std::string_view text) {
-  constexpr std::array<std::string_view, 4> words{"auto", "bar", "json", "none"};
-  constexpr std::array modes{ProgressMode::automatic, ProgressMode::bar, ProgressMode::json,
-                             ProgressMode::none};
-  const auto found = std::find(words.begin(), words.end(), text);
-  if (found == words.end()) throw UsageError(unknown_word("progress", text, words));
-  return modes[static_cast<std::size_t>(found - words.begin())];
-}
-
 std::string quoted_for_shell(int count, const char* const* arguments) {
   constexpr std::string_view plain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";

@@ -10,7 +10,6 @@
 
 #include "lab/methods.h"
 #include "lab/names.h"
-#include "tools/verb.h"
 #include "work/session.h"
 
 namespace wander {
@@ -59,7 +58,6 @@ std::pair<std::uint64_t, std::uint64_t> parse_pair(std::string_view what, std::s
 double parse_figure_width(std::string_view text);
 // Pixels to the inch, from 36 to 1200.
 double parse_resolution(std::string_view what, std::string_view text);
-ProgressMode parse_progress(std::string_view text);
 
 // The arguments as one line that a shell reads back to the same words.
 std::string quoted_for_shell(int count, const char* const* arguments);

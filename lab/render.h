@@ -14,22 +14,13 @@
 #include "mlt/run/normalized_film.h"
 #include "mlt/run/path_group.h"
 #include "mlt/run/warnings.h"
+#include "mlt/seeds/nothing_found.h"
+#include "records/rendering.h"
 #include "work/pace.h"
 #include "work/parallel.h"
 #include "work/stopping_rule.h"
 
 namespace wander {
-
-// No sample of the seed pass found a path from a light to the sensor.
-class NoLightFound : public std::runtime_error {
- public:
-  explicit NoLightFound(std::uint64_t samples)
-      : std::runtime_error(
-            "the seed pass tried " + std::to_string(samples) +
-            " bidirectional samples and found no light path from a light to the sensor, so no "
-            "chain can start; look for walls without a gap, a light or sensor that faces away, or "
-            "a max_vertices that is too small") {}
-};
 
 // `Chains` is a Group, made of a space and the kernel of its chains.
 template <class Space, Group Chains>

@@ -42,7 +42,7 @@ struct Traits {
     return std::string_view{};
   };
   // The same mutation with moves so many times as far.
-  M (*scaled)
+  M(*scaled)
   (const M& mutation, double factor) = [](const M& mutation, double) { return mutation; };
   // Before the chains start: what a seed pass found.  A kernel must learn from other seeds than
   // those its chains start from, or the film is biased.

@@ -62,7 +62,6 @@ struct Bidirectional {
   }
 
   // ---- the discrete choices
-  // ----------------------------------------------------------------------
 
   // A pmf over how many vertices are deleted or added.
   struct LengthPmf {
@@ -146,7 +145,6 @@ struct Bidirectional {
   }
 
   // ---- the new vertices
-  // --------------------------------------------------------------------------
 
   // Σ over splits of p_split Π densities of the vertices between the kept ends of z.
   template <class Space>

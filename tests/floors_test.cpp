@@ -1,4 +1,4 @@
-// The floors of the program: core < mlt < mutations < tools.  An include goes down or stays on its
+// The floors of the program, lowest first, are those below.  An include goes down or stays on its
 // floor, a mutation includes no sibling, and no header includes itself by a detour.
 #include <gtest/gtest.h>
 
@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 using Sources = std::map<std::string, std::string>;
 using Faults = std::vector<std::string>;
 
-const std::vector<std::string> floors{"core", "mlt", "mutations", "tools"};
+const std::vector<std::string> floors{"statistics", "work",    "core", "mlt",  "mutations",
+                                      "scenes",     "records", "lab",  "draw", "tools"};
 
 fs::path source_folder() {
 #ifdef WANDER_SOURCE
@@ -145,15 +146,39 @@ TEST(Floors, KeepExactAnswersIndependent) {
 
 TEST(Floors, HaveNoCircles) { EXPECT_EQ(circles(read_sources()), Faults{}); }
 
+// No room holds more than this share of the program, and no file more than so many lines.
+constexpr double largest_share = 0.25;
+constexpr long most_lines = 350;
+
+long lines_of(const std::string& text) { return std::count(text.begin(), text.end(), '\n'); }
+
+Faults crowded(const Sources& sources) {
+  Faults faults;
+  std::map<int, double> lines;
+  double all = 0;
+  for (const auto& [file, text] : sources) {
+    const auto count = static_cast<double>(lines_of(text));
+    lines[floor_of(file)] += count;
+    all += count;
+    if (lines_of(text) > most_lines) faults.push_back(file + " is too long");
+  }
+  for (const auto& [floor, count] : lines)
+    if (count > largest_share * all)
+      faults.push_back(floors[static_cast<std::size_t>(floor)] + " holds too much");
+  return faults;
+}
+
+TEST(Floors, HaveNoRoomThatIsCrowded) { EXPECT_EQ(crowded(read_sources()), Faults{}); }
+
 // ---- controls: the checks themselves, on sources that are wrong
-// ----------------------------------
 
 TEST(FloorChecks, CatchAnIncludeThatGoesUp) {
   EXPECT_EQ(upward_includes({{"core/a.h", "#include <vector>\n  #  include \"mlt/chain.h\"\n"}}),
             Faults{"core/a.h includes mlt/chain.h"});
-  EXPECT_EQ(upward_includes({{"core/output/a.cpp", "#include \"tools/b.h\""}}).size(), 1u);
+  EXPECT_EQ(upward_includes({{"core/exact/a.cpp", "#include \"tools/b.h\""}}).size(), 1u);
   EXPECT_EQ(upward_includes({{"mlt/a.h", "#include \"mutations/lens.h\"\n"}}).size(), 1u);
   EXPECT_EQ(upward_includes({{"core/a.h", "#include \"tests/support/b.h\"\n"}}).size(), 1u);
+  EXPECT_EQ(upward_includes({{"lab/a.h", "#include \"draw/figure/svg.h\"\n"}}).size(), 1u);
   EXPECT_TRUE(upward_includes(
                   {{"tools/a.cpp", "#include \"mutations/catalogue.h\"\n#include \"core/b.h\"\n"},
                    {"core/a.h", "// #include \"mlt/chain.h\"\n"}})
@@ -180,6 +205,19 @@ TEST(FloorChecks, CatchAnExactAnswerThatLeansOnTheTransport) {
                                 "#include \"core/exact/b.h\"\n#include \"core/description.h\"\n"},
                                {"core/a.cpp", "#include \"core/scene.h\"\n"}}),
             Faults{});
+}
+
+TEST(FloorChecks, CatchARoomThatIsCrowded) {
+  const std::string line = "int x;\n";
+  std::string many;
+  for (long i = 0; i <= most_lines; ++i) many += line;
+  EXPECT_EQ(crowded({{"core/a.h", many}}).size(), 2u);
+  EXPECT_EQ(crowded({{"core/a.h", line + line},
+                     {"mlt/a.h", line},
+                     {"lab/a.h", line},
+                     {"draw/a.h", line},
+                     {"tools/a.h", line}}),
+            Faults{"core holds too much"});
 }
 
 TEST(FloorChecks, CatchACircle) {

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "draw/report/comparison_files.h"
 #include "lab/compare/comparison_json.h"
 #include "lab/compare/forecast.h"
 #include "lab/compare/long_reference.h"
-#include "lab/compare/outputs.h"
 #include "lab/compare/reference.h"
 #include "lab/failure.h"
 #include "lab/load_warning.h"

@@ -1,11 +1,28 @@
 // The options that every verb shares.
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <utility>
 
+#include "lab/failure.h"
+#include "lab/nearest.h"
 #include "lab/parsing.h"
 #include "tools/verb.h"
 
 namespace wander {
+
+namespace {
+
+ProgressMode parse_progress(std::string_view text) {
+  constexpr std::array<std::string_view, 4> words{"auto", "bar", "json", "none"};
+  constexpr std::array modes{ProgressMode::automatic, ProgressMode::bar, ProgressMode::json,
+                             ProgressMode::none};
+  const auto found = std::find(words.begin(), words.end(), text);
+  if (found == words.end()) throw UsageError(unknown_word("progress", text, words));
+  return modes[static_cast<std::size_t>(found - words.begin())];
+}
+
+}  // namespace
 
 void add_global_options(CLI::App& verb, Global& global) {
   const char* group = "Options of every verb";

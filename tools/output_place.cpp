@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "lab/compare/outputs.h"
+#include "draw/report/comparison_files.h"
 #include "lab/failure.h"
 #include "records/atomic_file.h"
 #include "records/run_files.h"

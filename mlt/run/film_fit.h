@@ -6,8 +6,7 @@
 //   half's spread, smoothed over neighbouring bins, weighs the other's film;
 // - p has errors of its own: the variance of a residual is v_j + b0² Var p_j [effective variance;
 //   Orear 1982], with b0 the iterate before;
-// - the interval is a delete-a-group jackknife in which a group takes its slice of the seed pass
-// and
+// - the interval is a delete-a-group jackknife in which a group takes its slice of the seed pass and
 //   its chains along, for a film's bins share samples and (JᵀJ)⁻¹ would know nothing of it.
 // What is left is a bias of the order 1/samples: for study, and as a second opinion on the bridge.
 #pragma once

@@ -2,9 +2,8 @@
 // estimates, always made.
 //
 //   seed_pass       the mean of the seed pass, unbiased, with the error of independent samples
-//   least_squares   the factor between the film of the seed pass and that of the chains
-//   (film_fit.h) bridge          f / p̄ of the seed pass against that of the states of the chains
-//   (bridge.h)
+//   least_squares   the factor between the film of the seed pass and that of the chains (film_fit.h)
+//   bridge          f / p̄ of the seed pass against that of the states of the chains (bridge.h)
 //
 // The error of the last two is a delete-a-group jackknife: a group takes its slice of the seed pass
 // and its chains along, which start from that slice, so what the two have in common counts, too.

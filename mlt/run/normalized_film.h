@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
+#include "core/film_estimate.h"
 #include "mlt/run/group_findings.h"
 #include "mlt/run/normalization.h"
-#include "core/film_estimate.h"
 
 namespace wander {
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "mlt/chain.h"
 #include "mlt/seeds/seed_slices.h"
 
 namespace wander {

@@ -3,18 +3,14 @@
 #pragma once
 
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
-#include "lab/render.h"
+#include "mlt/run/chain_settings.h"
+#include "mlt/seeds/nothing_found.h"
+#include "mlt/seeds/seed_pass.h"
+#include "work/parallel.h"
 
 namespace wander {
-
-// The run was interrupted before there was anything to keep.
-class NothingComputed : public std::runtime_error {
- public:
-  NothingComputed() : std::runtime_error("interrupted before the first step") {}
-};
 
 template <class Space, class Seeds>
 class SeedSlices {

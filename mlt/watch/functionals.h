@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include "core/path.h"
+#include "mlt/watch/chains_record.h"
 #include "mlt/watch/diagnostics.h"
 #include "mlt/watch/statistics.h"
-#include "mlt/watch/chains_record.h"
 
 namespace wander {
 

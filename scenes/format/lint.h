@@ -1,9 +1,9 @@
 // Doubts about the geometry of a valid scene: what is allowed but rarely meant.
 //
-//   shapes that lie on each other        which of them light meets is left to rounding
-//   a light or sensor on another surface at no distance, or a light that faces one
-//   ends that nearly meet                light leaks through a gap below 1e-6 of the scene's
-//   diameter features below 1e-12 of the diameter, and scenes beyond 1e6 diameters from the origin
+//   shapes that lie on each other          which of them light meets is left to rounding
+//   a light or sensor on another surface   at no distance, or a light that faces one
+//   ends that nearly meet                  light leaks through a gap below 1e-6 of the diameter
+//   features below 1e-12 of the diameter, and scenes beyond 1e6 diameters from the origin
 //
 // Shapes are compared in pairs that a sweep finds: at most 2 million pairs whose boxes meet, and 32
 // million others.  Of scenes with more only a part is compared, and a warning says so.  At most 100

@@ -15,7 +15,6 @@ constexpr std::array<const char*, 5> scenes{"slit", "article-3", "lens", "mirror
 constexpr int workers_per_round = 32;
 
 // ---- rays of bidirectional samples
-// ---------------------------------------------------------------
 
 RayLog<Flatland> recorded_rays(Scene<Flatland>& scene) {
   const Light transport(scene, Roulette::by_albedo);
@@ -45,7 +44,6 @@ void bench_any(benchmark::State& state, const std::string& name) {
 }
 
 // ---- samples and mutations
-// -----------------------------------------------------------------------
 
 void bench_samples(benchmark::State& state, const std::string& name) {
   const auto scene = bench_scene(name);

@@ -17,7 +17,6 @@ using FlatPath = Path<Flatland>;
 using Place2 = Place<Flatland>;
 
 // ---- first vertices
-// ------------------------------------------------------------------------------
 
 TEST(FirstVertices, AreOnLightsInProportionToTheirPower) {
   SceneMaker maker(2);
@@ -78,7 +77,6 @@ TEST(FirstVertices, AreOnALightHoweverProbabilitiesAreRounded) {
 }
 
 // ---- connection
-// ----------------------------------------------------------------------------------
 
 // Two points with normals, on no shape's inside.
 FlatPath pair(const Place2& a, const Place2& b) {
@@ -160,7 +158,6 @@ TEST_F(Connections, AreBlockedByWhatIsJustBeforeTheirEnd) {
 }
 
 // ---- values and densities
-// ------------------------------------------------------------------------
 
 // Light, wall, sensor, with every number from its definition: ∫ cos θ dω = 2 in the plane.
 class Vertices : public ::testing::TestWithParam<Roulette> {
@@ -216,7 +213,6 @@ TEST_P(Vertices, NeitherShineNorListenOnTheirBacks) {
 }
 
 // ---- inversion
-// -----------------------------------------------------------------------------------
 
 struct Walk {
   const char* name;
@@ -275,7 +271,6 @@ TEST_P(Inversion, FindsNumbersThatMakeTheSameWalk) {
 }
 
 // ---- films
-// ---------------------------------------------------------------------------------------
 
 TEST(FilmBins, AreEqualPartsOfTheSensor) {
   const auto scene = full_room(4).build();

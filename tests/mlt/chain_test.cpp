@@ -18,7 +18,6 @@ using W = Flatland;
 using Flat = Transport<W>;
 
 // ---- steps
-// -----------------------------------------------------------------------------------------
 
 // Proposes the current path, changed by `change`, with the densities given.
 template <class Change>

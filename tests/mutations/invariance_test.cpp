@@ -40,7 +40,6 @@ INSTANTIATE_TEST_SUITE_P(Rooms, Kernel, ::testing::ValuesIn(acting_in(rooms, ker
                          [](const auto& test) { return test.param.name(); });
 
 // ---- wrong twins
-// -----------------------------------------------------------------------------------
 
 template <class Mutation>
 InvarianceReport in_room(description::Scene (*room)(), const Mutation& mutation,

@@ -42,7 +42,6 @@ double relative_difference(Scaled a, Scaled b) {
 double worse(double a, double b) { return std::isnan(a) || b <= a ? a : b; }
 
 // ---- T-QSAMP: sampled against claimed densities
-// ----------------------------------------------------
 
 struct Key {
   int x, light, sensor, added, y;
@@ -108,7 +107,6 @@ ClaimDefects defects_of(const Claims& claims) {
 }
 
 // ---- T-VERIFY: a proposal against the same path measured anew
-// --------------------------------------
 
 bool same_vertices(const PointPath& x, const PointPath& y) {
   if (x.size() != y.size()) return false;
@@ -215,7 +213,6 @@ TEST(PointlandClaims, EveryTwinClaimsADensityThatItDoesNotHave) {
 }
 
 // ---- T-ALG: the discrete choices
-// -------------------------------------------------------------------
 
 TEST(PointlandChoices, APlaceToDeleteIsChosenWithTheProbabilityThatIsClaimed) {
   for (int n = 2; n <= 24; ++n)

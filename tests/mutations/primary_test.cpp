@@ -17,7 +17,6 @@ namespace wander::test {
 namespace {
 
 // ---- one coordinate
-// --------------------------------------------------------------------------------
 
 // A kernel with a large range, so that a step often meets the ends.
 constexpr Kelemen far_reaching{1.0 / 64, 0.4};
@@ -100,7 +99,6 @@ TEST(Kelemen, NeverReachesOne) {
 }
 
 // ---- paths to numbers and back
-// ---------------------------------------------------------------------
 
 using W = Flatland;
 using Flat = Transport<W>;

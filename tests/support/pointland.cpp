@@ -106,7 +106,6 @@ void Graph::fill_walks(Generator& random) {
 }
 
 // ---- the vocabulary
-// ------------------------------------------------------------------------------
 
 std::span<const double> Graph::walk(const Vertex<Pointland>& v, int known) const {
   if (v.event == Event::emission) return light_walk_[index(v.place.node)];
@@ -172,7 +171,6 @@ void Graph::evaluate(PointPath& x, int i) const {
 }
 
 // ---- without the vocabulary
-// ------------------------------------------------------------------------
 
 double Graph::target(const Nodes& x) const {
   const std::size_t n = x.size();
@@ -223,7 +221,6 @@ PointPath Graph::path(const Nodes& nodes) const {
 }
 
 // ---- the graphs of the proof
-// -------------------------------------------------------------------------
 
 std::vector<GraphPlan> proof_plans() {
   std::vector<GraphPlan> plans;

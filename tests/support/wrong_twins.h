@@ -10,7 +10,6 @@
 namespace wander::test {
 
 // ---- around any mutation
-// -------------------------------------------------------------------------
 
 enum class RatioFlaw {
   none,
@@ -51,7 +50,6 @@ struct FlawedRatio {
 };
 
 // ---- the bidirectional mutation
-// ------------------------------------------------------------------
 
 enum class BidirectionalFlaw {
   no_geometry,   // densities of projected angle taken for densities of area
@@ -144,7 +142,6 @@ struct FlawedBidirectional {
 };
 
 // ---- the primary steps
-// ---------------------------------------------------------------------------
 
 // Numbers that leave [0,1) are put at its ends instead of around the circle.
 struct ClampedKelemen {

@@ -23,7 +23,6 @@ using W = Flatland;
 using Flat = Transport<W>;
 
 // ---- a constant target
-// -----------------------------------------------------------------------------
 
 // A sampler that finds the same light everywhere.  The first number decides whether one more is
 // needed at its place, and in that place alone.
@@ -120,7 +119,6 @@ TEST(PrimaryChain, ALargeStepOwesNothingToTheStateAndASmallOneStaysNear) {
 }
 
 // ---- places
-// ----------------------------------------------------------------------------------------
 
 // Draws from a generator, and notes where.
 struct Noted {
@@ -191,7 +189,6 @@ TEST_P(Places, ChangeNoBitOfASample) {
 }
 
 // ---- the samplers
-// ----------------------------------------------------------------------------------
 
 struct OneNumber {
   double u;

@@ -89,7 +89,6 @@ TEST_P(PrimaryFilms, AreThoseOfIndependentSamples) {
 }
 
 // ---- each length by itself
-// -------------------------------------------------------------------------
 
 // All walls emit and reflect: paths of n vertices carry 2 Le ρ^(n-2), everywhere.
 constexpr double radiance = 1.5, reflectance = 0.6;
@@ -150,7 +149,6 @@ TEST(PrimaryTwin, OfMmltWithTheConstantsOfOtherLengthsIsCaught) {
 }
 
 // ---- bias
-// ------------------------------------------------------------------------------------------
 
 struct Effort {
   std::uint64_t runs, seeds, steps;  // each run has 32 groups

@@ -30,7 +30,6 @@ class PrimaryRooms : public ::testing::TestWithParam<int> {
 INSTANTIATE_TEST_SUITE_P(Rooms, PrimaryRooms, ::testing::Range(0, static_cast<int>(makers.size())));
 
 // ---- seeds
-// -----------------------------------------------------------------------------------------
 
 TEST_P(PrimaryRooms, SeedsOfSamplesAreDrawnInProportionToTheirLight) {
   constexpr int chains = 20'000;
@@ -93,7 +92,6 @@ TEST_P(PrimaryRooms, SeedsAreMadeAgainFromTheirNumbersBitForBit) {
 }
 
 // ---- deposits
-// --------------------------------------------------------------------------------------
 
 // With expected values the deposits of n steps sum to n b_g.
 TEST_P(PrimaryRooms, DepositsOfExpectedValuesSumToTheNumberOfSteps) {
@@ -152,7 +150,6 @@ TEST(SharesOfSteps, SumToOneAndLeaveNoLengthOut) {
 }
 
 // ---- runs
-// ------------------------------------------------------------------------------------------
 
 class PrimaryRuns : public ::testing::TestWithParam<PrimaryMethod> {};
 INSTANTIATE_TEST_SUITE_P(Methods, PrimaryRuns, ::testing::ValuesIn(primary_methods),

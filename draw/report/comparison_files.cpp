@@ -1,4 +1,4 @@
-#include "lab/compare/outputs.h"
+#include "draw/report/comparison_files.h"
 
 #include <nlohmann/json.hpp>
 #include <vector>
