@@ -1,4 +1,4 @@
-// A run as it is saved: what was computed, and what made it.  Every writer of core/output takes a
+// A run as it is saved: what was computed, and what made it.  Every writer takes a
 // record, and a record can be read back and drawn without the scene file it came from.
 #pragma once
 

@@ -1,5 +1,5 @@
 // What was recorded of the steps of some chains: the columns of a trajectory file.  Plain data,
-// made by an observer of chains (mlt), written and read by core/output, drawn by tools.
+// made by an observer of chains (mlt), written and read beside it, drawn by draw.
 //
 // A draw is one recorded step.  All columns are laid out [chain][draw] (then [vertex][axis]); what
 // is stored of a chain is its state after the decision, and the proposal of the same step beside

@@ -12,7 +12,7 @@ check=("$build/bin/wander" check gallery:article-1 --mutations 'bidirectional=1,
 
 rm -rf "$copy"
 mkdir -p "$copy"
-cp -a "$source"/{CMakeLists.txt,core,mlt,mutations,tools,scenes,schema} "$copy"
+cp -a "$source"/{CMakeLists.txt,LICENSE,CITATION.cff,statistics,work,core,mlt,mutations,scenes,schema,records,lab,draw,tools} "$copy"
 cp "$source/docs/examples/sensor_slide.h" "$copy/mutations/"
 sed -i -e 's|^#include "mutations/primary_small.h"$|&\n#include "mutations/sensor_slide.h"|' \
        -e 's|PrimaryLarge>;$|PrimaryLarge, SensorSlide>;|' "$copy/mutations/catalogue.h"
