@@ -91,7 +91,8 @@ TEST(TracedChains, AreTheChainsOfRender) {
   constexpr std::uint64_t steps = 60;
   Session session = session_of(2);
   session.budget = SampleBudget{chains * steps};
-  const ChainSettings light{.seed_share = 0, .fewest_seeds = settings.fewest_seeds};
+  const ChainSettings light{
+      .steps_per_chain = 0, .seed_share = 0, .fewest_seeds = settings.fewest_seeds};
   const Rendering rendering = ChainRenderer(room.space, room.family, session, light).render("mlt");
   const Trace trace = room.trace(chains, {.end = steps}, session);
   const Trajectory other = room.trajectory(chains, {.end = steps}, 2);

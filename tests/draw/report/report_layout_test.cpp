@@ -132,7 +132,7 @@ TEST(ReportLayout, EstimatesStandOnTheScaleOfTheirAxis) {
 
 TEST(ReportLayout, TwoCountsOfRefusalsHaveTwoNames) {
   EXPECT_FALSE(says(usual_report(), "longest run of rejections"));
-  EXPECT_TRUE(says(usual_report(), ">most refused in a row<"));
+  EXPECT_TRUE(says(usual_report(), ">most rejected in a row<"));
   EXPECT_TRUE(says(usual_report(), ">longest stay at one path,\u00A0mutations<"));
 }
 

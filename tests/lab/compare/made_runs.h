@@ -107,6 +107,7 @@ inline compare::Runs made_runs(const MadeScene& scene, const std::vector<MadeMet
         std::vector<double> value = methods[m].errors(random, scene.bins);
         for (double& x : value) x = 1 + methods[m].bias + error * x;
         compare::Run run{m, b, r, r + 1, 1000, scene.seconds[b], 0.1, 10, {}};
+        run.processor_seconds = run.seconds;
         run.film = made_film(std::move(value), error);
         runs.runs.push_back(run);
       }
