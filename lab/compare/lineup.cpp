@@ -58,13 +58,16 @@ Entrant turned(Entrant base, const Dial& dial, const std::string& value) {
   return base;
 }
 
-// The order and the sum of weights do not matter.
+// The order and the sum of weights do not matter, nor the order of parameters.
 MutationWeights normalized(MutationWeights weights) {
-  std::erase_if(weights, [](const auto& weight) { return !(weight.second > 0); });
-  std::ranges::sort(weights);
+  std::erase_if(weights, [](const MutationWeight& each) { return !(each.weight > 0); });
+  std::ranges::sort(weights, {}, &MutationWeight::word);
   double sum = 0;
-  for (const auto& [word, weight] : weights) sum += weight;
-  for (auto& [word, weight] : weights) weight /= sum;
+  for (const MutationWeight& each : weights) sum += each.weight;
+  for (MutationWeight& each : weights) {
+    each.weight /= sum;
+    std::ranges::sort(each.parameters, {}, &ParameterSetting::name);
+  }
   return weights;
 }
 
