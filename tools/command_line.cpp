@@ -81,6 +81,12 @@ void look_at_rest(CLI::App& app, const CLI::App& verb, Examination& examination)
   }
 }
 
+std::string miscounted(const CLI::Option& option, const CLI::ParseError& problem) {
+  if (option.get_items_expected_max() > 1 || option.count() < 2) return problem.what();
+  return fmt::format("{} is given {} times; it takes one {}", option.get_name(), option.count(),
+                     option.get_type_name());
+}
+
 // Of the options that were read, those whose value the verb has not yet seen.  True if one of them
 // was given in a number that CLI11 does not take.
 bool look_at_values(CLI::App& verb, Examination& examination) {
@@ -92,7 +98,7 @@ bool look_at_values(CLI::App& verb, Examination& examination) {
         option->run_callback();
       } catch (const CLI::ParseError& problem) {
         is_miscounted = true;
-        throw usage_error(verb, problem.what());
+        throw usage_error(verb, miscounted(*option, problem));
       }
     });
   }

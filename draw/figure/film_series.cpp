@@ -69,15 +69,15 @@ Range range_of_unreliable(std::span<const std::vector<Bar>> films) {
   return {0, *most > 0 ? std::min(largest, 1.5 * *most) : largest};
 }
 
-// Where more than a tenth of all that is drawn lies below the axis, the axis begins lower.
-double low_tenth(std::span<const std::vector<Bar>> films) {
+// Of all that is drawn, what a tenth lies below and what a tenth lies above.
+Range tenths(std::span<const std::vector<Bar>> films) {
   std::vector<double> values;
   for (const std::vector<Bar>& film : films)
     for (const Bar& bar : film) values.push_back(bar.value);
-  if (values.empty()) return INFINITY;
-  const auto tenth = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 10);
-  std::nth_element(values.begin(), tenth, values.end());
-  return *tenth;
+  if (values.empty()) return {INFINITY, -INFINITY};
+  std::ranges::sort(values);
+  const std::size_t tenth = values.size() / 10;
+  return {values[tenth], values[values.size() - 1 - tenth]};
 }
 
 }  // namespace
@@ -129,7 +129,10 @@ Range value_range(std::span<const std::vector<Bar>> films, std::span<const Bar> 
   // A very wide band is cut: the values are what the figure is about.
   const double room = 0.4 * values.high;
   Range range{std::max(bands.low, values.low - room), std::min(bands.high, values.high + room)};
-  range.low = std::min(range.low, low_tenth(films));
+  // Where more than a tenth of all that is drawn lies beyond the axis, the axis is longer, but not
+  // so long that the best known film becomes a line.
+  const Range most = tenths(films);
+  range = {std::min(range.low, most.low), std::clamp(most.high, range.high, 2 * range.high)};
   // Zero belongs to the axis of a non-negative quantity, unless that would squash all there is.
   const bool near_zero = range.low < 0.6 * range.high;
   const double headroom = 0.04 * (range.high - (near_zero ? 0 : range.low));

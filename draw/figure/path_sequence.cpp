@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "draw/figure/legend.h"
 #include "draw/figure/path_frame.h"
@@ -19,45 +23,79 @@ constexpr int most_columns = 3;
 constexpr double least_column = 100;
 constexpr double gap = 10, padding = 7, line_height = 9.2;
 // Below a drawing: the caption, and to its right the enlarged part.
-constexpr double zoom_side = 50, strip_height = zoom_side + 9;
+constexpr double zoom_side = 50, zoom_gap = 4, zoom_height = zoom_side + 9;
+constexpr double below_caption = 4;
 constexpr double legend_gap = 3, most_aspect = 1.3, caption_size = style::small_size;
+
+// A step as it is drawn.
+struct Cell {
+  PathFrame frame;
+  std::optional<Zoom> zoom;
+  std::vector<std::string> title, text;  // lines of the caption
+
+  double height_below() const {
+    const auto lines = static_cast<double>(title.size() + text.size());
+    return std::max(zoom ? zoom_height : 0, line_height * lines + below_caption);
+  }
+};
 
 // Where the drawings stand.
 struct Grid {
-  int columns = 1, rows = 1;
-  Vector cell, drawing;  // the drawing is the upper part of its cell
+  std::size_t columns = 1;
+  Vector drawing;            // the upper part of its cell
+  std::vector<double> tops;  // of the rows, and where the next would begin
 
   Vector place(std::size_t k) const {
-    return Vector{static_cast<double>(k % static_cast<std::size_t>(columns)),
-                  static_cast<double>(k / static_cast<std::size_t>(columns))} *
-           (cell + Vector{gap, gap});
+    return {static_cast<double>(k % columns) * (drawing.x + gap), tops[k / columns]};
   }
-  double height() const { return rows * cell.y + (rows - 1) * gap; }
+  double height() const { return std::max(0.0, tops.back() - gap); }
+  PageMap map(const Extent& extent) const {
+    return fit(extent, Vector{padding, padding}, drawing - Vector{padding, padding});
+  }
 };
 
 Grid grid_for(std::size_t frames, const Extent& extent, double width) {
-  Grid grid;
   const int fit =
       std::clamp(static_cast<int>((width + gap) / (least_column + gap)), 2, most_columns);
-  grid.columns = std::clamp(static_cast<int>(frames), 2, fit);
-  grid.rows = std::max(1, (static_cast<int>(frames) + grid.columns - 1) / grid.columns);
-  const double across = (width - (grid.columns - 1) * gap) / grid.columns;
+  const int columns = std::clamp(static_cast<int>(frames), 2, fit);
+  const double across = (width - (columns - 1) * gap) / columns;
   const double aspect = std::min(extent.size().y / extent.size().x, most_aspect);
-  grid.drawing = {across, (across - 2 * padding) * aspect + 2 * padding};
-  grid.cell = grid.drawing + Vector{0, strip_height};
-  return grid;
+  return {static_cast<std::size_t>(columns),
+          {across, (across - 2 * padding) * aspect + 2 * padding},
+          {0}};
 }
 
-void draw_caption(Svg& svg, const PathFrame& frame, Vector at, double width) {
-  const auto line = [&](const std::string& text, std::string_view weight) {
-    at.y += line_height;
-    const double wide = weight == "bold" ? style::bold_width : 1;
-    svg.text(at, shortened(text, wide * caption_size, width),
-             {.size = caption_size, .weight = weight});
+// A row is as high as what stands in it needs.
+void place_rows(Grid& grid, const std::vector<Cell>& cells) {
+  for (std::size_t first = 0; first < cells.size(); first += grid.columns) {
+    double below = 0;
+    for (std::size_t k = first; k < std::min(cells.size(), first + grid.columns); ++k)
+      below = std::max(below, cells[k].height_below());
+    grid.tops.push_back(grid.tops.back() + grid.drawing.y + below + gap);
+  }
+}
+
+Cell cell_of(PathFrame frame, const Grid& grid, const PageMap& map) {
+  Cell cell{std::move(frame), {}, {}, {}};
+  cell.zoom = zoom_of(cell.frame, map.scale);
+  const double beside = cell.zoom ? zoom_side + zoom_gap : 0;
+  const double width = grid.drawing.x - padding + 4 - beside;
+  cell.title = wrapped(cell.frame.title, style::bold_width * caption_size, width);
+  for (const std::string& text : {cell.frame.outcome, cell.frame.classes})
+    for (std::string& line : wrapped(text, caption_size, width))
+      cell.text.push_back(std::move(line));
+  return cell;
+}
+
+void draw_caption(Svg& svg, const Cell& cell, Vector at) {
+  const auto draw = [&](const std::vector<std::string>& lines, std::string_view weight) {
+    for (const std::string& line : lines) {
+      at.y += line_height;
+      svg.text(at, line, {.size = caption_size, .weight = weight});
+    }
   };
-  line(frame.title, "bold");
-  line(frame.outcome, "normal");
-  line(frame.classes, "normal");
+  draw(cell.title, "bold");
+  draw(cell.text, "normal");
 }
 
 std::vector<LegendEntry> legend() {
@@ -75,60 +113,61 @@ std::vector<LegendEntry> legend() {
 }
 
 // The whole scene with the paths, and below it the caption and what has to be enlarged.
-void draw_frame(Svg& svg, const PathFrame& frame, const Grid& grid, const description::Scene& scene,
-                const PageMap& map) {
+void draw_cell(Svg& svg, const Cell& cell, const Grid& grid, const description::Scene& scene,
+               const PageMap& map) {
   const Window window{{0, 0}, grid.drawing};
-  draw_paths(svg, frame, map, window);
-  const auto zoom = zoom_of(frame, map.scale);
-  if (zoom) draw_zoom_frame(svg, *zoom, map);
-  draw_failure(svg, frame, map, window);
-  const double beside = zoom ? zoom_side + 4 : 0;
-  draw_caption(svg, frame, {padding - 4, grid.drawing.y - 3}, grid.cell.x - padding + 4 - beside);
-  if (zoom)
-    draw_zoom(svg, frame, scene, *zoom, map,
-              {grid.cell.x - padding - zoom_side, grid.drawing.y - 1}, zoom_side);
+  draw_paths(svg, cell.frame, map, window);
+  if (cell.zoom) draw_zoom_frame(svg, *cell.zoom, map);
+  draw_failure(svg, cell.frame, map, window);
+  draw_caption(svg, cell, {padding - 4, grid.drawing.y - 3});
+  if (cell.zoom)
+    draw_zoom(svg, cell.frame, scene, *cell.zoom, map,
+              {grid.drawing.x - padding - zoom_side, grid.drawing.y - 1}, zoom_side);
 }
 
 // The scene is drawn once and used again in every frame.
-void draw_frames(Svg& svg, const std::vector<PathFrame>& frames, const Grid& grid,
-                 const description::Scene& scene, Vector top_left) {
-  const PageMap map =
-      fit(extent_of(scene), Vector{padding, padding}, grid.drawing - Vector{padding, padding});
+void draw_cells(Svg& svg, const std::vector<Cell>& cells, const Grid& grid,
+                const description::Scene& scene, Vector top_left) {
+  const PageMap map = grid.map(extent_of(scene));
   {
     const auto definitions = svg.open("defs", {});
     const auto drawing = svg.open("g", {{"id", "sequence-scene"}});
     draw_scene(svg, scene, map);
   }
-  for (std::size_t k = 0; k < frames.size(); ++k) {
+  for (std::size_t k = 0; k < cells.size(); ++k) {
     const Vector place = top_left + grid.place(k);
     const auto frame = svg.open(
         "g", {{"class", "step"},
               {"transform", fmt::format("translate({} {})", number(place.x), number(place.y))}});
     svg.use("sequence-scene");
-    draw_frame(svg, frames[k], grid, scene, map);
+    draw_cell(svg, cells[k], grid, scene, map);
   }
 }
 
 }  // namespace
 
 Block path_sequence(const Steps& steps, const description::Scene& scene, double width, int most) {
-  auto frames = std::make_shared<std::vector<PathFrame>>();
+  std::vector<PathFrame> frames;
   std::size_t count = 0;
   steps.each([&](const Step& step) {
-    if (count++ < static_cast<std::size_t>(most)) frames->push_back(path_frame(steps, step));
+    if (count++ < static_cast<std::size_t>(most)) frames.push_back(path_frame(steps, step));
   });
-  const Grid grid = grid_for(frames->size(), extent_of(scene), width);
+  Grid grid = grid_for(frames.size(), extent_of(scene), width);
+  const PageMap map = grid.map(extent_of(scene));
+  auto cells = std::make_shared<std::vector<Cell>>();
+  for (PathFrame& frame : frames) cells->push_back(cell_of(std::move(frame), grid, map));
+  place_rows(grid, *cells);
   const std::vector<LegendEntry> entries = legend();
   std::string heading = fmt::format("Mutated paths, {}", in_words(steps));
-  if (count > frames->size())
-    heading += fmt::format(": the first {} of {} steps", frames->size(), count);
+  if (count > frames.size())
+    heading += fmt::format(": the first {} of {} steps", frames.size(), count);
   if (count == 0) heading += ": no step was chosen";
   const double above = legend_height(entries, width) + legend_gap;
-  const double below = frames->empty() ? 0 : grid.height();
+  const double below = grid.height();
   return {heading, above + below, [=](Svg& svg, Vector top_left) {
             const auto scope = svg.group("path-sequence");
             draw_legend(svg, entries, top_left, width);
-            draw_frames(svg, *frames, grid, scene, top_left + Vector{0, above});
+            draw_cells(svg, *cells, grid, scene, top_left + Vector{0, above});
           }};
 }
 

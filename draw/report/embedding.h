@@ -8,7 +8,7 @@
 
 namespace wander::report {
 
-// The <svg> element of a document that tools/figure made, its ids behind a prefix so that several
+// The <svg> element of a document that draw/figure made, its ids behind a prefix so that several
 // can stand in one page, and named by its own title and description for screen readers.
 std::string embedded(std::string_view svg_document, const std::string& prefix);
 

@@ -39,9 +39,11 @@ std::string title_of(const Subject& subject) {
                          : report::counted(subject.contenders(), "contender"));
 }
 
-// What the browser may load: nothing but the style of this page.
-constexpr std::string_view head = R"(<meta charset="utf-8"/>
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'"/>
+// What the browser may load: nothing but the style and the pictures that are in this page.
+constexpr std::string_view head =
+    R"(<meta charset="utf-8"/>
+<meta http-equiv="Content-Security-Policy" )"
+    R"(content="default-src 'none'; style-src 'unsafe-inline'; img-src data:"/>
 <meta name="viewport" content="width=device-width, initial-scale=1"/>
 <meta name="color-scheme" content="light dark"/>
 )";

@@ -80,7 +80,7 @@ void write_numbers(Html& html, const Subject& subject) {
   table.add_measured("of which bias, %", column_of(cells, &Cell::bias), 100);
   table.add_column({"time, s"}, aligned(seconds));
   table.add_measured("1 / (error² · time), 1/s", column_of(cells, &Cell::efficiency));
-  table.add_column({"95 % bars that hold, % of bins"}, coverage);
+  table.add_column({"95 % bars that hold, %"}, coverage);
   write_table(html, table);
 }
 

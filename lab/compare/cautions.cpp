@@ -137,7 +137,7 @@ void of_the_error_bars(std::vector<std::string>& cautions, const View& view) {
       uncovered.add(view.comparison, c, percent(view.comparison.cells[view.at(c)].coverage));
     const Curve& curve = view.comparison.curves[c];
     if (!curve.inverse_root)
-      sloping.add(view.comparison, c, fmt::format("t^{:.2f}", curve.slope_time.value));
+      sloping.add(view.comparison, c, number_text(curve.slope_time.value, 2));
     std::vector<double> shares;
     for (const RunErrors* errors : cell.errors)
       if (std::isfinite(errors->reliable_share)) shares.push_back(errors->reliable_share);
@@ -146,7 +146,8 @@ void of_the_error_bars(std::vector<std::string>& cautions, const View& view) {
   }
   uncovered.say(cautions, "The runs' own 95 % intervals hold the reference less often: {}.");
   sloping.say(cautions,
-              "The error does not fall like t^-0.5, so that nothing is extrapolated: {}.");
+              "The error does not fall like 1/√t, a slope of −0.5, so that nothing is "
+              "extrapolated: {}.");
   unreliable.say(cautions, "Few bins of a run are reliable: {}.");
 }
 

@@ -57,6 +57,8 @@ class Words {
     return fmt::format("{} and {}", label(c.ahead), label(c.behind));
   }
   std::string standing(const Crossing& crossing) const;
+  std::string beginning(const Crossing& crossing) const;
+  std::string since(const Crossing& crossing) const;
   bool is_measured(std::size_t contender) const {
     return std::isfinite(cell(contender).relative_rmse.value);
   }
@@ -71,20 +73,29 @@ class Words {
   const Comparison& all_;
 };
 
+// The first time at which both are measured.
+std::string Words::beginning(const Crossing& c) const {
+  constexpr double noticeable = 1.2;  // budgets of time are met more closely
+  const double ahead = shortest_run(all_, c.ahead), behind = shortest_run(all_, c.behind);
+  if (std::max(ahead, behind) < noticeable * std::min(ahead, behind))
+    return " from the first budget on";
+  return fmt::format(" from {} on, where {} begins", duration_in_words(std::max(ahead, behind)),
+                     label(ahead > behind ? c.ahead : c.behind));
+}
+
 // "from 1.7 s on (1.2–2.5)"
-std::string since(const Measured& seconds) {
-  if (std::isnan(seconds.value)) return "";
-  if (seconds.value == 0)
-    return seconds.interval.high > 0 ? fmt::format(" from the first budget on (or from {} s)",
-                                                   digits(seconds.interval.high))
-                                     : " from the first budget on";
-  return fmt::format(" from {} on{}", duration_in_words(seconds.value),
-                     range_of_time(seconds.interval));
+std::string Words::since(const Crossing& c) const {
+  const auto& [seconds, interval] = c.seconds;
+  if (std::isnan(seconds)) return "";
+  if (seconds > 0)
+    return fmt::format(" from {} on{}", duration_in_words(seconds), range_of_time(interval));
+  return beginning(c) +
+         (interval.high > 0 ? fmt::format(" (or from {} s)", digits(interval.high)) : "");
 }
 
 std::string Words::standing(const Crossing& c) const {
   if (!c.significant) return fmt::format("Which of {} is ahead cannot be told", pair(c));
-  return fmt::format("{} is ahead of {}{}", label(c.ahead), label(c.behind), since(c.seconds));
+  return fmt::format("{} is ahead of {}{}", label(c.ahead), label(c.behind), since(c));
 }
 
 std::string Words::headline() const {
@@ -135,7 +146,7 @@ std::string Words::of_chance() const {
   if (named > most_named) text += fmt::format("; and {} more", named - most_named);
   if (all_.runs.replicates < 2)
     text += ", because a single replicate has no interval";
-  else if (all_.crossings.size() == 1)
+  else if (all_.crossings.size() == 1 && std::isfinite(all_.crossings.front().p_value))
     text += fmt::format(", p = {}", digits(all_.crossings.front().p_value));
   return fmt::format("Not significant: the difference between {}.", text);
 }

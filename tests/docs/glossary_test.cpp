@@ -99,7 +99,7 @@ TEST_F(Helps, UseTheWordsOfTheGlossary) {
 TEST(Glossary, FiguresUseItsWords) {
   const Words unwanted = glossary().unwanted;
   for (const char* folder : {"figure", "report"})
-    for (const auto& entry : fs::directory_iterator(source / "tools" / folder)) {
+    for (const auto& entry : fs::directory_iterator(source / "draw" / folder)) {
       if (entry.path().extension() != ".cpp") continue;
       const std::string joined =
           std::regex_replace(contents(entry.path()), std::regex(R"("\s*")"), "");

@@ -47,6 +47,13 @@ TEST_F(CommandFaults, AreOneDocumentWithJson) {
   EXPECT_GT(error["faults"].size(), 0U);
 }
 
+TEST_F(CommandFaults, AnOptionThatIsGivenTwiceIsNamedWithWhatItTakes) {
+  EXPECT_HAS(wander("render box.json -m pt -b 1k -b 2k -o out").err,
+             "--budget is given 2 times; it takes one BUDGET;");
+  EXPECT_HAS(wander("compare box.json -m pt -m bdpt -b 1k -o out").err,
+             "--methods is given 2 times; it takes one METHOD,...;");
+}
+
 TEST_F(CommandFaults, AMissingArgumentIsToldWithTheOthers) {
   const Outcome outcome = wander("render -b never");
   for (const char* part :

@@ -85,6 +85,19 @@ TEST(FilmFigure, OneFireflyDoesNotFlattenTheFilm) {
   EXPECT_EQ(count(svg, ">beyond the axis, up to 1000000 W/m<"), 1u);
 }
 
+TEST(FilmFigure, TheReferenceAloneDoesNotSetTheAxis) {
+  LabelledFilm rough = film(20);
+  for (std::size_t k = 0; k < 20; ++k) rough.rendering.film.value[k] = k % 2 == 0 ? 0.5 : 1.5;
+  rough.rendering.film.reliable.assign(20, false);
+  const std::vector<Bar> reference = bars_of(film(20, 1).rendering.film, {0, 1});
+  std::vector<std::vector<Bar>> bars{bars_of(rough.rendering.film, {0, 1})};
+  EXPECT_GE(value_range(bars, reference).high, 1.5);
+  EXPECT_LE(value_range(bars, reference).low, 0.5);
+  // Values that are far too high are cut, so that the reference can be followed.
+  for (Bar& bar : bars.front()) bar.value *= 100;
+  EXPECT_LT(value_range(bars, reference).high, 3.5);
+}
+
 TEST(FilmFigure, WhatLiesBeyondTheAxisIsToldOnItsScale) {
   LabelledFilm dark = film(20, 1e-7);
   dark.rendering.film.value[4] = dark.rendering.film.standard_error[4] = 1.3912e-4;

@@ -180,6 +180,30 @@ TEST(PathSequence, EnlargesSmallMovesAndNoOthers) {
   }
 }
 
+double height_of(const std::string& svg) {
+  std::smatch found;
+  return std::regex_search(svg, found, std::regex(" height=\"([0-9.]+)pt\"")) ? std::stod(found[1])
+                                                                              : nan;
+}
+
+// Without an enlarged part a row ends below its captions, and in a column no caption is cut.
+TEST(PathSequence, ARowIsAsHighAsItsCaptions) {
+  Trajectory t = recorded(1, 2);
+  const auto row = static_cast<std::size_t>(t.max_vertices) * 2;
+  t.reason[1] = 1;
+  t.accepted[1] = 0;
+  const auto drawn = [&](double move, double width) {
+    for (std::size_t k = 0; k < row; ++k)
+      t.proposed.position[row + k] = t.state.position[row + k] + (k == 2 ? move : 0);
+    return TrajectoryPage(t, room(), {}, "room", width).paths();
+  };
+  EXPECT_LT(height_of(drawn(0.3, 516)), height_of(drawn(1e-4, 516)) - 20);
+  const std::string column = drawn(1e-4, 238);
+  EXPECT_EQ(count(column, "class=\"zoom\""), 1u);
+  EXPECT_EQ(count(column, "…"), 0u);
+  EXPECT_EQ(count(column, ">bidirectional<"), 1u);  // on a line of its own beside the enlarged part
+}
+
 TEST(PathSequence, ShowsTheChosenStepsAlone) {
   const Trajectory t = recorded(2, 12);
   StepFilter filter{.chains = {1}, .first = 3, .end = 9, .mutation = 1, .path_class = {}};

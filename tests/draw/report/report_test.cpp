@@ -55,13 +55,28 @@ TEST(Report, HasEverySectionInItsOrder) {
 
 TEST(Report, NeedsNoOtherFileAndNoScript) {
   std::string html = usual_report();
-  for (const std::string allowed :
-       {"http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink", "\"data:image/png;base64,"})
+  for (const std::string allowed : {"http://www.w3.org/2000/svg", "http://www.w3.org/1999/xlink",
+                                    "\"data:image/png;base64,", "img-src data:"})
     for (auto at = html.find(allowed); at != std::string::npos; at = html.find(allowed))
       html.erase(at, allowed.size());
   for (const char* word : {"http:", "https:", "<script", "<link", "<img", "<iframe", "@import",
                            " src=", "url(h", "url(/", "data:", " onclick"})
     EXPECT_FALSE(says(html, word)) << word;
+}
+
+// The light between the surfaces is a picture within the page, which the page itself has to allow.
+TEST(Report, ItsPolicyLetsItsPicturesBeSeen) {
+  const Page page = test::read_page(usual_report());
+  const auto is = [](const char* name, const char* attribute) {
+    return [=](const Element& element) {
+      return element.name == name && element.attributes.contains(attribute);
+    };
+  };
+  EXPECT_TRUE(std::ranges::any_of(page.elements, is("image", "xlink:href")));
+  const auto policy = std::ranges::find_if(page.elements, is("meta", "http-equiv"));
+  ASSERT_NE(policy, page.elements.end());
+  EXPECT_EQ(policy->attributes.at("content"),
+            "default-src 'none'; style-src 'unsafe-inline'; img-src data:");
 }
 
 TEST(Report, EveryFigureIsNamedDescribedAndExplained) {

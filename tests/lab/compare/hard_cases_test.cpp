@@ -155,6 +155,24 @@ TEST(Verdict, AtEqualSamplesTheEfficiencyIsGivenToo) {
   EXPECT_NEAR(c.crossings.at(0).efficiency.value, c.crossings.at(0).speedup.value / 100, 1e-9);
 }
 
+TEST(Verdict, WithoutARunClaimsNoChance) {
+  Generator random(11);
+  Runs runs = made_runs({}, two, random);
+  runs.runs.clear();
+  const Comparison c = summarize(runs);
+  EXPECT_SAYS(c.verdict, "there is nothing to rank");
+  EXPECT_EQ(joined(c.verdict).find("?"), std::string::npos) << joined(c.verdict);
+}
+
+TEST(Verdict, NamesTheTimeWhereTheSlowerOneBegins) {
+  Generator random(11);
+  Runs runs = made_runs({}, {{"a", 0.05}, {"b", 0.4}}, random);
+  runs.budgets = {"1k", "2k", "4k", "8k"};
+  for (compare::Run& run : runs.runs)
+    if (run.contender == 1) run.seconds *= 3;
+  EXPECT_SAYS(summarize(runs).verdict, "a is ahead of b from 3 s on, where b begins: at 8k ");
+}
+
 TEST(Verdict, WarnsOfAReferenceThatIsNoBetter) {
   Generator random(12);
   EXPECT_SAYS(summarize(made_runs({.reference_error = 0.05}, two, random)).cautions,
@@ -177,7 +195,8 @@ TEST(Verdict, WarnsOfBiasAndOfErrorsThatDoNotFall) {
   EXPECT_SAYS(c.cautions, "the mean of the replicates is not the reference");
   EXPECT_SAYS(c.cautions, "The runs' own 95 % intervals hold the reference less often: a");
   EXPECT_SAYS(c.cautions,
-              "The error does not fall like t^-0.5, so that nothing is extrapolated: a");
+              "The error does not fall like 1/√t, a slope of −0.5, so that nothing is "
+              "extrapolated: a (");
 }
 
 TEST(Verdict, WarnsOfUnreliableBins) {
