@@ -1,6 +1,7 @@
 // The closed set of shapes of each world.
 #pragma once
 
+#include <utility>
 #include <variant>
 
 #include "core/geometry/shapes_flat.h"
@@ -25,12 +26,21 @@ using Shape = typename ShapesOf<W, W::dimension>::Variant;
 // Index of the flat alternative.
 inline constexpr std::size_t flat_shape = 0;
 
+// Alternative i and those after it, one after the other: none of them is looked up in a table.
+template <std::size_t i, class Visitor, class... Shapes>
+decltype(auto) visit_shape_from(Visitor&& visitor, const std::variant<Shapes...>& shape) {
+  const auto* found = std::get_if<i>(&shape);
+  if constexpr (i + 1 < sizeof...(Shapes))
+    if (found == nullptr) return visit_shape_from<i + 1>(std::forward<Visitor>(visitor), shape);
+  return visitor(*found);
+}
+
 // The first alternative, the flat one, is by far the commonest: it is tested first.
-template <class Visitor, class First, class Second>
-decltype(auto) visit_shape(Visitor&& visitor, const std::variant<First, Second>& shape) {
+template <class Visitor, class First, class... Rest>
+decltype(auto) visit_shape(Visitor&& visitor, const std::variant<First, Rest...>& shape) {
   if (const First* first = std::get_if<First>(&shape)) [[likely]]
     return visitor(*first);
-  return visitor(*std::get_if<Second>(&shape));
+  return visit_shape_from<1>(std::forward<Visitor>(visitor), shape);
 }
 
 }  // namespace wander

@@ -9,10 +9,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
 #include "core/transport.h"
 #include "mlt/join.h"
 #include "mlt/mutation.h"
+#include "mlt/traits.h"
 
 namespace wander {
 
@@ -61,5 +63,13 @@ struct SensorSlide {
     return density;
   }
 };
+
+inline constexpr std::array<Parameter<SensorSlide>, 1> sensor_slide_parameters{
+    {{"reach", "how far the end moves, as a share of the sensor", 1, [](SensorSlide& m) -> Ends {
+        return {m.reach, m.reach};
+      }}}};
+
+template <>
+inline constexpr Traits<SensorSlide> traits<SensorSlide>{.parameters = sensor_slide_parameters};
 
 }  // namespace wander

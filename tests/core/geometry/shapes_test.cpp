@@ -108,6 +108,14 @@ TYPED_TEST(Shapes, AreSampledEvenlyAsTheirShadowsShow) {
 
 // Control: a sphere sampled by its polar angle, not its height, is crowded at the
 // poles.
+TEST(ShapeVisits, ReachEveryAlternativeHoweverManyThereAre) {
+  using Three = std::variant<char, int, double>;
+  const auto size = [](const auto& value) { return sizeof(value); };
+  EXPECT_EQ(visit_shape(size, Three('a')), sizeof(char));
+  EXPECT_EQ(visit_shape(size, Three(1)), sizeof(int));
+  EXPECT_EQ(visit_shape(size, Three(1.0)), sizeof(double));
+}
+
 TEST(Spheres, SampledByAngleWouldNotBeEven) {
   Generator g(11);
   std::vector<double> even, crowded;
