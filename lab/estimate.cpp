@@ -1,6 +1,8 @@
 #include "lab/estimate.h"
 
+#include <algorithm>
 #include <array>
+#include <stdexcept>
 
 #include "lab/sample_film.h"
 
@@ -14,16 +16,23 @@ constexpr TechniqueSet only_from_sensor{.most_light = 0};
 constexpr TechniqueSet only_from_light{.most_sensor = 0};
 
 constexpr std::array<Estimator, 5> known_estimators{{
-    {"pt", from_sensor, Roulette::by_albedo, Heuristic::power},
-    {"lt", from_light, Roulette::by_albedo, Heuristic::power},
-    {"bdpt", all_techniques, Roulette::by_albedo, Heuristic::power},
-    {"pt-naive", only_from_sensor, Roulette::off, Heuristic::balance},
-    {"lt-naive", only_from_light, Roulette::off, Heuristic::balance},
+    {MethodId::pt, from_sensor, Roulette::by_albedo, Heuristic::power},
+    {MethodId::lt, from_light, Roulette::by_albedo, Heuristic::power},
+    {MethodId::bdpt, all_techniques, Roulette::by_albedo, Heuristic::power},
+    {MethodId::pt_naive, only_from_sensor, Roulette::off, Heuristic::balance},
+    {MethodId::lt_naive, only_from_light, Roulette::off, Heuristic::balance},
 }};
 
 }  // namespace
 
 std::span<const Estimator> estimators() { return known_estimators; }
+
+const Estimator& estimator_of(MethodId id) {
+  const auto found = std::ranges::find(known_estimators, id, &Estimator::id);
+  if (found == known_estimators.end())
+    throw std::logic_error("a method without independent samples");
+  return *found;
+}
 
 template <World W>
 Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Session& session) {
@@ -37,7 +46,7 @@ Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Sess
       });
     };
   };
-  return sample_film(estimator.name, scene.resolution(), scene.max_vertices(), session, make);
+  return sample_film(estimator.name(), scene.resolution(), scene.max_vertices(), session, make);
 }
 
 template Rendering estimate(const Scene<Flatland>&, const Estimator&, const Session&);

@@ -3,20 +3,25 @@
 #pragma once
 
 #include "core/path_sampler.h"
+#include "lab/method.h"
 #include "records/rendering.h"
 #include "work/session.h"
 
 namespace wander {
 
 struct Estimator {
-  const char* name;
+  MethodId id;
   TechniqueSet techniques;
   Roulette roulette;
   Heuristic heuristic;
+
+  const char* name() const { return method_of(id).name.data(); }
 };
 
 // pt, lt, bdpt, and the forms of Kajiya 1986 and Arvo 1990 without connections, pt-naive, lt-naive.
 std::span<const Estimator> estimators();
+// Of a method by independent samples.
+const Estimator& estimator_of(MethodId id);
 
 template <World W>
 Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Session& session);
