@@ -41,7 +41,7 @@ std::string estimator_help() {
     }));
   };
   return fmt::format(
-      "of {}: kelemen (large steps count as independent samples, too; what {} does by default) or "
+      "of {}: kelemen (large steps count as independent samples, too; the default of {}) or "
       "expected (plain expected values; the default of {})",
       in_words(methods_that([](const Method& m) { return m.dials.has(DialId::estimator); })),
       usual(StepEstimator::kelemen), usual(StepEstimator::expected));

@@ -10,18 +10,16 @@
 namespace wander {
 
 struct Estimator {
-  MethodId id;
+  const char* name;
   TechniqueSet techniques;
   Roulette roulette;
   Heuristic heuristic;
-
-  const char* name() const { return method_of(id).name.data(); }
 };
 
 // pt, lt, bdpt, and the forms of Kajiya 1986 and Arvo 1990 without connections, pt-naive, lt-naive.
 std::span<const Estimator> estimators();
 // Of a method by independent samples.
-const Estimator& estimator_of(MethodId id);
+const Estimator& estimator_of(const Method& method);
 
 template <World W>
 Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Session& session);

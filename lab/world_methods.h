@@ -31,7 +31,7 @@ class WorldMethods {
       case MethodId::bdpt:
       case MethodId::pt_naive:
       case MethodId::lt_naive:
-        return estimated(estimator_of(method.id));
+        return estimated(estimator_of(method));
       case MethodId::mlt:
         return in_path_space();
       case MethodId::pssmlt:

@@ -46,7 +46,7 @@ TEST(Estimators, AgreeWithTheRadiosityOfEachLength) {
         z.push_back(z_of(bins[i], exact.film().by_vertices[static_cast<std::size_t>(n) - 2][i]));
     for (std::size_t i = 0; i < film.total.size(); ++i)
       z.push_back(z_of(film.total[i], exact.film().mean_irradiance[i]));
-    EXPECT_TRUE(passes(largest_z_test(z, usual_false_alarm))) << estimator.name();
+    EXPECT_TRUE(passes(largest_z_test(z, usual_false_alarm))) << estimator.name;
   }
 }
 
@@ -58,7 +58,7 @@ TEST(Estimators, AgreeAmongAllMaterialsForEachLength) {
   for (std::size_t a = 0; a < films.size(); ++a)
     for (std::size_t b = 0; b < a; ++b)
       EXPECT_TRUE(passes(agree(films[a], films[b])))
-          << estimators()[a].name() << " and " << estimators()[b].name();
+          << estimators()[a].name << " and " << estimators()[b].name;
 }
 
 // Control: a room in which the glass is a little denser.

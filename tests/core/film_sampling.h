@@ -28,7 +28,7 @@ struct SampledFilm {
 
 inline const Estimator& find_estimator(std::string_view name) {
   for (const Estimator& e : estimators())
-    if (name == e.name()) return e;
+    if (name == e.name) return e;
   throw std::invalid_argument("no such estimator");
 }
 

@@ -64,7 +64,7 @@ FilmEstimate bdpt(const description::Scene& description) {
   session.threads = 1;
   const FlatScene scene = build(description);
   for (const Estimator& estimator : estimators())
-    if (std::string_view(estimator.name()) == "bdpt")
+    if (std::string_view(estimator.name) == "bdpt")
       return estimate(*scene, estimator, session).film;
   throw std::logic_error("no bdpt");
 }

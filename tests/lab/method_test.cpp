@@ -7,6 +7,8 @@
 #include "core/requirements.h"
 #include "lab/engine.h"
 #include "lab/failure.h"
+#include "lab/replay.h"
+#include "lab/trace.h"
 #include "scenes/format/build_scene.h"
 #include "tests/support/test_scenes.h"
 #include "tests/tools/command_line.h"
@@ -64,7 +66,9 @@ TEST(Methods, InWords) {
 }
 
 TEST(Methods, OfEveryKindAreRenderedInEveryWorldUnderTheirNames) {
-  const Session session{.budget = SampleBudget{2'000}, .threads = 2};
+  Session session;
+  session.budget = SampleBudget{2'000};
+  session.threads = 2;
   for (const Method& method : methods())
     for (const Engine& engine : engines()) {
       const Job job(diffuse_room(), method, {.precision = engine.world.precision});

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scenes/format/build_scene.h"
 #include "tests/support/expect.h"
 #include "tests/support/invariance.h"
 #include "tests/support/perturbation_rooms.h"

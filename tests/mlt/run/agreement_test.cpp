@@ -30,7 +30,7 @@ FilmEstimate by_chains(const Scene<Flatland>& scene, const Kernel& kernel) {
 }
 FilmEstimate by_samples(const Scene<Flatland>& scene) {
   for (const Estimator& estimator : estimators())
-    if (std::string_view(estimator.name()) == "bdpt")
+    if (std::string_view(estimator.name) == "bdpt")
       return estimate(scene, estimator, session_of(300'000)).film;
   throw std::logic_error("no bdpt");
 }

@@ -27,7 +27,7 @@ Rendering mlt(const Scene<Flatland>& scene, const Session& session) {
 }
 Rendering independent(const Scene<Flatland>& scene, const Session& session, const char* name) {
   for (const Estimator& estimator : estimators())
-    if (std::string_view(estimator.name()) == name) return estimate(scene, estimator, session);
+    if (std::string_view(estimator.name) == name) return estimate(scene, estimator, session);
   throw std::logic_error("no such estimator");
 }
 
