@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "lab/render.h"
 #include "lab/replay.h"
 #include "mutations/catalogue.h"
 #include "tests/support/test_scenes.h"

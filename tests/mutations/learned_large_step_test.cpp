@@ -2,6 +2,7 @@
 // by what it has learned and claims the uniform density.  False alarms: 1e-9 per decision.
 #include <gtest/gtest.h>
 
+#include "mlt/seeds/seed_pass.h"
 #include "mutations/primary_large.h"
 #include "tests/support/caught.h"
 #include "tests/support/test_scenes.h"

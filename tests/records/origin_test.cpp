@@ -56,7 +56,7 @@ TEST_F(OriginOf, RecordsFromBeforeItWasKeptAreRead) {
 TEST_F(OriginOf, TheCommitIsThatOfTheWorkingCopy) {
   const std::string write_commit =
       "cmake -DOUTPUT=$PWD/commit.cpp -DSOURCE=$PWD/copy -P '" WANDER_SOURCE
-      "/core/commit.cmake' && sed -n 's/.*= \"\\(.*\\)\".*/\\1/p' commit.cpp";
+      "/records/commit.cmake' && sed -n 's/.*= \"\\(.*\\)\".*/\\1/p' commit.cpp";
   const std::string git = "git -C copy -c user.name=a -c user.email=a@b";
   EXPECT_EQ(shell("mkdir copy && echo one > copy/file && " + write_commit).out, "unknown\n");
   const Outcome clean = shell("git init -q copy && " + git + " add file && " + git +
