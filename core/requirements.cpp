@@ -92,6 +92,13 @@ bool is_coloured(const Scene& scene, const std::vector<MaterialKind>& materials)
 
 }  // namespace
 
+std::vector<int> film_shape(const description::Scene& scene) {
+  if (scene.camera) return scene.camera->resolution;
+  const auto sensor = std::ranges::find_if(
+      scene.shapes, [](const Shape& shape) { return shape.sensor.has_value(); });
+  return sensor == scene.shapes.end() ? std::vector<int>{} : sensor->sensor->resolution;
+}
+
 std::string type_of(const ShapeKind& kind) { return std::visit(ShapeType{}, kind); }
 
 Requirements requires_of(const Scene& scene) {

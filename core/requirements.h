@@ -22,6 +22,9 @@ struct Requirements {
 
 Requirements requires_of(const description::Scene& scene);
 
+// Of the film: one number, or width and height.
+std::vector<int> film_shape(const description::Scene& scene);
+
 // As scene files call it: "segment", "arc", ...
 std::string type_of(const description::ShapeKind& kind);
 

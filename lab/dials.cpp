@@ -34,75 +34,60 @@ int parse_chains(std::string_view text) {
   return chains / groups;
 }
 
-std::string_view for_all(std::string_view) { return {}; }
-std::string_view for_mlt(std::string_view method) {
-  return method == "mlt" ? "" : "is for mlt, whose mutations can be chosen";
-}
-std::string_view for_primary_methods(std::string_view method) {
-  return method == "pssmlt" || method == "mmlt" ? "" : "is for pssmlt and mmlt";
-}
-std::string_view for_chains(std::string_view method) {
-  return method == "mlt" || method == "pssmlt" || method == "mmlt"
-             ? ""
-             : "is for the Markov chain methods mlt, pssmlt and mmlt";
-}
-std::string_view for_counted_chains(std::string_view method) {
-  return method == "mlt" || method == "pssmlt"
-             ? ""
-             : "is for mlt and pssmlt; mmlt has one chain for each path length in each group";
+std::string estimator_help() {
+  const auto usual = [](StepEstimator estimator) {
+    return in_words(methods_that([estimator](const Method& m) {
+      return m.dials.has(DialId::estimator) && m.usual_estimator == estimator;
+    }));
+  };
+  return fmt::format(
+      "of {}: kelemen (large steps count as independent samples, too; the default of {}) or "
+      "expected (plain expected values; the default of {})",
+      in_words(methods_that([](const Method& m) { return m.dials.has(DialId::estimator); })),
+      usual(StepEstimator::kelemen), usual(StepEstimator::expected));
 }
 
 const std::vector<Dial>& table() {
   static const std::vector<Dial> known{
-      {"mutations", "SPEC", mutations_help(), for_mlt,
+      {DialId::mutations, "mutations", "SPEC", mutations_help(),
        [](Dials& dials, std::string_view text) { dials.mutations = parse_mutations(text); }},
-      {"estimator", "RULE",
-       "of pssmlt and mmlt: kelemen (large steps count as independent samples, too; what "
-       "pssmlt does by default) or expected (plain expected values; mmlt's default)",
-       for_primary_methods,
+      {DialId::estimator, "estimator", "RULE", estimator_help(),
        [](Dials& dials, std::string_view text) { dials.estimator = parse_estimator(text); }},
-      {"max_vertices", "N", "longest paths, both ends counted (default: what the scene says)",
-       for_all,
+      {DialId::max_vertices, "max_vertices", "N",
+       "longest paths, both ends counted (default: what the scene says)",
        [](Dials& dials, std::string_view text) { dials.max_vertices = parse_max_vertices(text); }},
-      {"chains", "N", chains_help(), for_counted_chains,
+      {DialId::chains, "chains", "N", chains_help(),
        [](Dials& dials, std::string_view text) {
          dials.chains.chains_per_group = parse_chains(text);
          dials.chains.steps_per_chain = 0;
        }},
-      {"seed_share", "X", seed_share_help(), for_chains,
+      {DialId::seed_share, "seed_share", "X", seed_share_help(),
        [](Dials& dials, std::string_view text) {
          dials.chains.seed_share = parse_positive("--seed-share", text, 1e4);
        }},
-      {"normalization", "RULE",
+      {DialId::normalization, "normalization", "RULE",
        "where b comes from: bridge (default: bridge sampling of the seed pass and the chains), "
        "least-squares (their films) or seed (the mean of the seed pass)",
-       for_chains,
        [](Dials& dials, std::string_view text) {
          dials.chains.normalization = parse_normalization(text);
        }},
-      {"precision", "TYPE",
+      {DialId::precision, "precision", "TYPE",
        "of scattering, densities and sampling: double (the default) or float; geometry is double",
-       for_all,
        [](Dials& dials, std::string_view text) { dials.precision = parse_precision(text); }},
-      {"large_step", "P",
+      {DialId::large_step, "large_step", "P",
        fmt::format("of the steps in primary sample space, the share that forgets the present "
                    "path: between 0 and 1 (default: {})",
                    default_large_step),
-       for_chains,
        [](Dials& dials, std::string_view text) { dials.large_step = parse_large_step(text); }},
-      {"kernel", "FACTOR",
+      {DialId::kernel, "kernel", "FACTOR",
        "how many times as far small moves go (default: 1): those of primary sample space and of "
        "the lens, caustic and multi-chain perturbations",
-       for_chains, [](Dials& dials, std::string_view text) { dials.kernel = parse_kernel(text); }},
+       [](Dials& dials, std::string_view text) { dials.kernel = parse_kernel(text); }},
   };
   return known;
 }
 
 }  // namespace
-
-StepEstimator usual_estimator(std::string_view method) {
-  return method == "pssmlt" ? StepEstimator::kelemen : StepEstimator::expected;
-}
 
 std::string Dial::option() const {
   std::string name = "--" + std::string(word);
@@ -121,15 +106,11 @@ const Dial& find_dial(std::string_view word) {
   throw UsageError(unknown_word("dial", word, words));
 }
 
-void require_dial(const Dial& dial, std::string_view method) {
-  if (const std::string_view why = dial.missing(method); !why.empty())
-    throw UsageError(fmt::format("{} {}; {} does not have it", dial.option(), why, method));
-}
-
-void require_precision(Precision precision, const description::Scene& scene) {
-  if (const std::string why = why_beyond(precision, scene); !why.empty())
-    throw UsageError(fmt::format("--precision {} cannot hold this scene: {}; use double",
-                                 name_of(precision), why));
+void require_dial(const Dial& dial, const Method& method) {
+  if (dial.is_of(method)) return;
+  const auto of = methods_that([&](const Method& other) { return dial.is_of(other); });
+  throw UsageError(
+      fmt::format("{} is for {}; {} does not have it", dial.option(), in_words(of), method.name));
 }
 
 }  // namespace wander

@@ -7,16 +7,12 @@
 #include <string>
 #include <string_view>
 
+#include "lab/method.h"
 #include "lab/precision.h"
 #include "mlt/run/chain_settings.h"
 #include "mutations/catalogue.h"
 
 namespace wander {
-
-// What the steps of pssmlt and mmlt deposit (mlt/primary/primary_estimator.h).
-enum class StepEstimator { usual, kelemen, expected };
-// Of pssmlt Kelemen's, as published; of mmlt expected values.
-StepEstimator usual_estimator(std::string_view method);
 
 struct Dials {
   MutationWeights mutations{};                     // of mlt; empty: auto
@@ -33,22 +29,20 @@ struct Dials {
 
 // A dial as the command line knows it.
 struct Dial {
+  DialId id;
   std::string_view word;   // "large_step"
   std::string_view value;  // what stands for its value in the help: "P"
   std::string help;
-  // Why a method does not have it; empty if it has.
-  std::string_view (*missing)(std::string_view method);
   void (*set)(Dials& dials, std::string_view text);  // throws UsageError
 
   std::string option() const;  // "--large-step"
+  bool is_of(const Method& method) const { return method.dials.has(id); }
 };
 std::span<const Dial> dials();
 
 // Throws UsageError, with the nearest known word, where there is no such dial.
 const Dial& find_dial(std::string_view word);
 // Throws UsageError if the method does not have the dial.
-void require_dial(const Dial& dial, std::string_view method);
-// Throws UsageError if the scene does not fit into the precision.
-void require_precision(Precision precision, const description::Scene& scene);
+void require_dial(const Dial& dial, const Method& method);
 
 }  // namespace wander

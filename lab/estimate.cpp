@@ -1,6 +1,7 @@
 #include "lab/estimate.h"
 
 #include <array>
+#include <stdexcept>
 
 #include "lab/sample_film.h"
 
@@ -13,17 +14,25 @@ constexpr TechniqueSet from_light{.fewest_light = 1, .most_sensor = 1};
 constexpr TechniqueSet only_from_sensor{.most_light = 0};
 constexpr TechniqueSet only_from_light{.most_sensor = 0};
 
-constexpr std::array<Estimator, 5> known_estimators{{
-    {"pt", from_sensor, Roulette::by_albedo, Heuristic::power},
-    {"lt", from_light, Roulette::by_albedo, Heuristic::power},
-    {"bdpt", all_techniques, Roulette::by_albedo, Heuristic::power},
-    {"pt-naive", only_from_sensor, Roulette::off, Heuristic::balance},
-    {"lt-naive", only_from_light, Roulette::off, Heuristic::balance},
-}};
+const char* name_of(MethodId id) { return method_of(id).name.data(); }
 
 }  // namespace
 
-std::span<const Estimator> estimators() { return known_estimators; }
+std::span<const Estimator> estimators() {
+  static const std::array known{
+      Estimator{name_of(MethodId::pt), from_sensor, Roulette::by_albedo, Heuristic::power},
+      Estimator{name_of(MethodId::lt), from_light, Roulette::by_albedo, Heuristic::power},
+      Estimator{name_of(MethodId::bdpt), all_techniques, Roulette::by_albedo, Heuristic::power},
+      Estimator{name_of(MethodId::pt_naive), only_from_sensor, Roulette::off, Heuristic::balance},
+      Estimator{name_of(MethodId::lt_naive), only_from_light, Roulette::off, Heuristic::balance}};
+  return known;
+}
+
+const Estimator& estimator_of(const Method& method) {
+  for (const Estimator& estimator : estimators())
+    if (method.name == estimator.name) return estimator;
+  throw std::logic_error("a method without independent samples");
+}
 
 template <World W>
 Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Session& session) {

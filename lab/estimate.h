@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/path_sampler.h"
+#include "lab/method.h"
 #include "records/rendering.h"
 #include "work/session.h"
 
@@ -17,6 +18,8 @@ struct Estimator {
 
 // pt, lt, bdpt, and the forms of Kajiya 1986 and Arvo 1990 without connections, pt-naive, lt-naive.
 std::span<const Estimator> estimators();
+// Of a method by independent samples.
+const Estimator& estimator_of(const Method& method);
 
 template <World W>
 Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Session& session);

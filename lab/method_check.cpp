@@ -1,7 +1,9 @@
 #include "lab/method_check.h"
 
-#include "lab/methods.h"
-#include "lab/render.h"
+#include <fmt/format.h>
+
+#include "lab/engine.h"
+#include "mlt/seeds/nothing_found.h"
 
 namespace wander {
 
@@ -18,8 +20,6 @@ MethodCheck untested(std::string method, std::string reason) {
 }
 
 }  // namespace
-
-std::vector<std::string_view> checked_methods() { return {"pt", "lt", "mlt"}; }
 
 MethodCheck compare_films(std::string method, const FilmEstimate& film,
                           const FilmEstimate& reference, double false_alarm) {
@@ -42,21 +42,19 @@ MethodCheck compare_films(std::string method, const FilmEstimate& film,
           .bins = film.value.size()};
 }
 
-std::vector<MethodCheck> check_methods(const description::Scene& scene, const Dials& dials,
-                                       const Session& session, double false_alarm,
+std::vector<MethodCheck> check_methods(const Job& job, const Session& session, double false_alarm,
                                        const std::function<void()>& done) {
-  const Rendering reference = render(scene, reference_method, {}, with_own_numbers(session, 0));
+  const Rendering reference = render(job.usual(reference_method()), with_own_numbers(session, 0));
   done();
   std::vector<MethodCheck> checks;
-  for (const std::string_view method : checked_methods()) {
-    const std::string name(method);
-    if (!sees_all_light(method, scene)) {
-      checks.push_back(untested(
-          name, "it cannot find paths that reach the camera from a mirror or from smooth glass"));
+  for (const Method* method : checked_methods()) {
+    const std::string name(method->name);
+    if (const std::string_view why = method->why_blind(job.scene()); !why.empty()) {
+      checks.push_back(untested(name, fmt::format("it {}", why)));
     } else {
       try {
         const Rendering rendering =
-            render(scene, method, dials, with_own_numbers(session, checks.size() + 1));
+            render(job.by(*method), with_own_numbers(session, checks.size() + 1));
         checks.push_back(compare_films(name, rendering.film, reference.film, false_alarm));
       } catch (const NoLightFound& dark) {
         checks.push_back(untested(name, dark.what()));

@@ -6,16 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "core/description.h"
-#include "lab/dials.h"
+#include "lab/job.h"
 #include "mlt/check/kernel_check.h"
 #include "records/rendering.h"
 #include "statistics/decision.h"
 #include "work/session.h"
 
 namespace wander {
-
-inline constexpr std::string_view reference_method = "bdpt";
 
 struct MethodCheck {
   std::string method;
@@ -25,17 +22,14 @@ struct MethodCheck {
   std::size_t bins = 0;  // of the film; the decision compares the reliable ones
 };
 
-// The methods that are held against the reference; mlt among them.
-std::vector<std::string_view> checked_methods();
-
 // Films are equal within their errors; `worst` is a bin.
 MethodCheck compare_films(std::string method, const FilmEstimate& film,
                           const FilmEstimate& reference, double false_alarm);
 
-// Renders the scene with each method, its dials and `session`'s budget.  Calls done() after each of
-// the renderings.  The reference is made in double precision.
-std::vector<MethodCheck> check_methods(const description::Scene& scene, const Dials& dials,
-                                       const Session& session, double false_alarm,
+// Renders the scene of the job with the reference method, all dials as usual, then with each of the
+// checked_methods() and the dials of the job, each with `session`'s budget.  Calls done() after each
+// of the renderings.
+std::vector<MethodCheck> check_methods(const Job& job, const Session& session, double false_alarm,
                                        const std::function<void()>& done);
 
 }  // namespace wander

@@ -209,10 +209,11 @@ double parse_positive(std::string_view what, std::string_view text, double most)
 }
 
 Precision parse_precision(std::string_view text) {
-  constexpr std::array<std::string_view, 2> words{name_of(Precision::of_float),
-                                                  name_of(Precision::of_double)};
-  if (text == words[0]) return Precision::of_float;
-  if (text == words[1]) return Precision::of_double;
+  std::vector<std::string_view> words;
+  for (const Precision precision : precisions) {
+    if (text == name_of(precision)) return precision;
+    words.push_back(name_of(precision));
+  }
   throw UsageError(unknown_word("precision", text, words));
 }
 
@@ -240,15 +241,6 @@ std::string mutations_help() {
       text += fmt::format(" {}:{}={}{}", word, each.name, each.smallest,
                           each.is_range() ? fmt::format("..{}", each.largest) : "");
   return text;
-}
-
-const MethodName& parse_method(std::string_view text) {
-  std::vector<std::string_view> known;
-  for (const MethodName& method : methods) {
-    if (method.name == text) return method;
-    known.push_back(method.name);
-  }
-  throw UsageError(unknown_word("method", text, known));
 }
 
 std::uint64_t parse_seed(std::string_view text) {

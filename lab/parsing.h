@@ -8,8 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/methods.h"
-#include "lab/names.h"
+#include "lab/dials.h"
 #include "work/session.h"
 
 namespace wander {
@@ -41,8 +40,6 @@ Precision parse_precision(std::string_view text);
 double parse_large_step(std::string_view text);
 // A factor on how far small moves go, from 0.001 to 100.
 double parse_kernel(std::string_view text);
-
-const MethodName& parse_method(std::string_view text);
 
 std::uint64_t parse_seed(std::string_view text);
 int parse_threads(std::string_view text);

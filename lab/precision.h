@@ -1,6 +1,7 @@
 // The precisions in which light can be transported, and which scenes fit into them.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -9,6 +10,7 @@
 namespace wander {
 
 enum class Precision { of_float, of_double };
+inline constexpr std::array precisions{Precision::of_float, Precision::of_double};
 
 constexpr std::string_view name_of(Precision precision) {
   return precision == Precision::of_float ? "float" : "double";

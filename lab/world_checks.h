@@ -4,38 +4,26 @@
 
 #include <fmt/format.h>
 
-#include <functional>
-
 #include "lab/failure.h"
-#include "mlt/check/kernel_check.h"
-#include "mutations/catalogue.h"
+#include "lab/worlds.h"
+#include "mlt/seeds/nothing_found.h"
 #include "scenes/format/build_scene.h"
 
 namespace wander {
 
-// Calls done(check) for each mutation, and for their mixture.
 template <World W>
-void check_family(const description::Scene& description, const Family& family,
-                  const InvarianceOptions& options, const Run& run,
-                  const std::function<void(KernelCheck)>& done) {
-  const auto scene = build_flatland<W>(description);
+void check_in(const Job& job, const InvarianceOptions& options, const Run& run,
+              const KernelChecked& done) {
+  const auto scene = build_flatland<W>(job.scene());
   const Transport<W> space(*scene, Roulette::off);
   const Starts<Transport<W>> starts(space, options.seed);
   if (!starts.found_light())
     throw CommandFailure(
         ExitCode::failure,
         fmt::format("nothing can be checked: {} bidirectional samples found no light path from a "
-                    "light to the sensor; look for walls without a gap, a light or sensor that "
-                    "faces away, or a max_vertices that is too small",
-                    starts.tried()));
-  check_kernels(space, family, starts, options, run, done);
+                    "light to the sensor; {}",
+                    starts.tried(), where_light_is_lost));
+  check_kernels(space, job.family(), starts, options, run, done);
 }
-
-extern template void check_family<FlatlandSingle>(const description::Scene&, const Family&,
-                                                  const InvarianceOptions&, const Run&,
-                                                  const std::function<void(KernelCheck)>&);
-extern template void check_family<Flatland>(const description::Scene&, const Family&,
-                                            const InvarianceOptions&, const Run&,
-                                            const std::function<void(KernelCheck)>&);
 
 }  // namespace wander

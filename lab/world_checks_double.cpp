@@ -2,8 +2,7 @@
 
 namespace wander {
 
-template void check_family<Flatland>(const description::Scene&, const Family&,
-                                     const InvarianceOptions&, const Run&,
-                                     const std::function<void(KernelCheck)>&);
+template void check_in<Flatland>(const Job&, const InvarianceOptions&, const Run&,
+                                 const KernelChecked&);
 
 }  // namespace wander

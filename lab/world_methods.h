@@ -2,12 +2,15 @@
 // precision is made in a file of its own (world_methods_float.cpp, world_methods_double.cpp).
 #pragma once
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "lab/dials.h"
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
 #include "lab/estimate.h"
-#include "lab/methods.h"
 #include "lab/render.h"
+#include "lab/worlds.h"
 #include "mlt/run/mmlt_group.h"
 #include "mlt/run/pssmlt_group.h"
 #include "mutations/kelemen.h"
@@ -18,20 +21,25 @@ namespace wander {
 template <World W>
 class WorldMethods {
  public:
-  WorldMethods(const description::Scene& description, const Dials& dials, const Session& session)
-      : description_(description),
-        dials_(dials),
-        session_(session),
-        scene_(build_flatland<W>(description)) {}
+  WorldMethods(const Job& job, const Session& session)
+      : job_(job), session_(session), scene_(build_flatland<W>(job.scene())) {}
 
-  Rendering render(std::string_view method) const {
-    for (const Estimator& estimator : estimators())
-      if (method == estimator.name) return estimated(estimator);
-    const Space space(*scene_, Roulette::off);
-    if (method == "pssmlt") return primary<PssmltGroup>(space, "pssmlt");
-    if (method == "mmlt") return primary<MmltGroup>(space, "mmlt");
-    const Family family = make_family(dials_.family(), requires_of(description_));
-    return ChainRenderer(space, family, session_, dials_.chains).render("mlt");
+  Rendering render() const {
+    switch (const Method& method = job_.method(); method.id) {
+      case MethodId::pt:
+      case MethodId::lt:
+      case MethodId::bdpt:
+      case MethodId::pt_naive:
+      case MethodId::lt_naive:
+        return estimated(estimator_of(method));
+      case MethodId::mlt:
+        return in_path_space();
+      case MethodId::pssmlt:
+        return in_primary_space<PssmltGroup>();
+      case MethodId::mmlt:
+        return in_primary_space<MmltGroup>();
+    }
+    throw std::logic_error("a method that is not of the table");
   }
 
  private:
@@ -44,40 +52,52 @@ class WorldMethods {
     return rendering;
   }
 
+  Rendering in_path_space() const {
+    const Space space(*scene_, Roulette::off);
+    return ChainRenderer(space, job_.family(), session_, job_.dials().chains)
+        .render(job_.method().name.data());
+  }
+
   template <template <class S, class SmallStep, class Estimator> class Chains>
-  Rendering primary(const Space& space, const char* method) const {
-    const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials_.kernel), dials_.large_step};
+  Rendering in_primary_space() const {
+    const Space space(*scene_, Roulette::off);
+    const Dials& dials = job_.dials();
+    const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials.kernel), dials.large_step};
     const auto with = [&]<class Estimator>(Estimator) {
       using Group = Chains<Space, Kelemen, Estimator>;
-      return ChainRenderer<Space, Group>(space, kernel, session_, dials_.chains).render(method);
+      return ChainRenderer<Space, Group>(space, kernel, session_, dials.chains)
+          .render(job_.method().name.data());
     };
-    const StepEstimator estimator =
-        dials_.estimator == StepEstimator::usual ? usual_estimator(method) : dials_.estimator;
-    return estimator == StepEstimator::kelemen ? with(KelemenWeights{}) : with(ExpectedValues{});
+    return job_.estimator() == StepEstimator::kelemen ? with(KelemenWeights{})
+                                                      : with(ExpectedValues{});
   }
 
   static void warn_if_dark(Rendering& rendering) {
     const auto& value = rendering.film.value;
     if (std::ranges::any_of(value, [](double v) { return v > 0; })) return;
     rendering.warnings.push_back(
-        "no light path was found, so the film is zero; look for walls without a gap, a light or "
-        "sensor that faces away, or a max_vertices that is too small");
+        fmt::format("no light path was found, so the film is zero; {}", where_light_is_lost));
   }
 
   void warn_if_blind(Rendering& rendering) const {
-    if (sees_all_light(rendering.method, description_)) return;
+    const std::string_view why = job_.method().why_blind(job_.scene());
+    if (why.empty()) return;
+    const auto better = methods_that([&](const Method& method) {
+      return method.check != CheckRole::none && method.sees_all_light(job_.scene());
+    });
     rendering.warnings.push_back(
-        "light tracing cannot find paths that reach the camera from a mirror or from smooth "
-        "glass, so their light is missing from this film; use pt, bdpt or mlt");
+        fmt::format("{} {}, so their light is missing from this film; use {}", job_.method().name,
+                    why, in_words(better, "or")));
   }
 
-  const description::Scene& description_;
-  const Dials& dials_;
+  const Job& job_;
   const Session& session_;
   std::unique_ptr<const Scene<W>> scene_;
 };
 
-extern template class WorldMethods<FlatlandSingle>;
-extern template class WorldMethods<Flatland>;
+template <World W>
+Rendering render_in(const Job& job, const Session& session) {
+  return WorldMethods<W>(job, session).render();
+}
 
 }  // namespace wander

@@ -2,6 +2,6 @@
 
 namespace wander {
 
-template class WorldMethods<Flatland>;
+template Rendering render_in<Flatland>(const Job&, const Session&);
 
 }  // namespace wander

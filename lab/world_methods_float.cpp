@@ -2,6 +2,6 @@
 
 namespace wander {
 
-template class WorldMethods<FlatlandSingle>;
+template Rendering render_in<FlatlandSingle>(const Job&, const Session&);
 
 }  // namespace wander

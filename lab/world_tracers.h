@@ -2,7 +2,11 @@
 // (world_tracers_float.cpp, world_tracers_double.cpp).
 #pragma once
 
-#include "lab/tracers.h"
+#include <memory>
+
+#include "lab/replay.h"
+#include "lab/trace.h"
+#include "lab/worlds.h"
 #include "mlt/primary/primary_estimator.h"
 #include "mlt/run/multiplexed_chains.h"
 #include "mutations/kelemen.h"
@@ -13,39 +17,43 @@ namespace wander {
 template <World W>
 class WorldTracers {
  public:
-  WorldTracers(const description::Scene& description, const Dials& dials, const Session& session)
-      : description_(description),
-        dials_(dials),
+  WorldTracers(const Job& job, const Session& session)
+      : job_(job),
         session_(session),
-        scene_(build_flatland<W>(description)),
+        scene_(build_flatland<W>(job.scene())),
         space_(*scene_, Roulette::off) {}
 
-  Trace trace(std::string_view method, const TraceRequest& request) const {
-    if (method == "mmlt") {
-      const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials_.kernel), dials_.large_step};
+  Trace trace(const TraceRequest& request) const {
+    if (job_.method().state == ChainState::numbers_of_path) {
+      const Dials& dials = job_.dials();
+      const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials.kernel), dials.large_step};
       using Chains = MultiplexedChains<Space, Kelemen>;
       return Tracer<Space, Chains>(space_, kernel, session_, request, ChainSettings{}).run();
     }
-    return Tracer(space_, family(), session_, request, ChainSettings{}).run();
+    return Tracer(space_, job_.family(), session_, request, ChainSettings{}).run();
   }
 
   Replay replay(int chain, std::uint64_t step) const {
-    return wander::replay(space_, family(), session_, chain, step, ChainSettings{});
+    return wander::replay(space_, job_.family(), session_, chain, step, ChainSettings{});
   }
 
  private:
   using Space = Transport<W>;
 
-  Family family() const { return make_family(dials_.family(), requires_of(description_)); }
-
-  const description::Scene& description_;
-  const Dials& dials_;
+  const Job& job_;
   const Session& session_;
   std::unique_ptr<const Scene<W>> scene_;
   Space space_;
 };
 
-extern template class WorldTracers<FlatlandSingle>;
-extern template class WorldTracers<Flatland>;
+template <World W>
+Trace trace_in(const Job& job, const Session& session, const TraceRequest& request) {
+  return WorldTracers<W>(job, session).trace(request);
+}
+
+template <World W>
+Replay replay_in(const Job& job, const Session& session, int chain, std::uint64_t step) {
+  return WorldTracers<W>(job, session).replay(chain, step);
+}
 
 }  // namespace wander

@@ -2,6 +2,7 @@
 
 namespace wander {
 
-template class WorldTracers<Flatland>;
+template Trace trace_in<Flatland>(const Job&, const Session&, const TraceRequest&);
+template Replay replay_in<Flatland>(const Job&, const Session&, int, std::uint64_t);
 
 }  // namespace wander

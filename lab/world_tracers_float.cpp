@@ -2,6 +2,7 @@
 
 namespace wander {
 
-template class WorldTracers<FlatlandSingle>;
+template Trace trace_in<FlatlandSingle>(const Job&, const Session&, const TraceRequest&);
+template Replay replay_in<FlatlandSingle>(const Job&, const Session&, int, std::uint64_t);
 
 }  // namespace wander

@@ -9,13 +9,14 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "lab/engine.h"
 #include "lab/failure.h"
 #include "lab/parsing.h"
 #include "lab/scene_source.h"
-#include "lab/world_checks.h"
 #include "tools/check_report.h"
 #include "tools/console.h"
 #include "tools/dial_options.h"
+#include "tools/examined_job.h"
 #include "tools/interruption.h"
 #include "tools/progress.h"
 #include "tools/verb.h"
@@ -34,8 +35,13 @@ struct CheckOptions {
   std::string scene;
   std::shared_ptr<DialOptions> given = std::make_shared<DialOptions>();
   std::uint64_t samples = 200'000;
-  std::optional<SceneDocument> document;  // once it is read
+  // Once the scene is read.
+  std::optional<SceneDocument> document;
+  std::optional<Job> job;
 };
+
+// Whose mutations are checked.
+const Method& mutated_method() { return method_of(MethodId::mlt); }
 
 std::uint64_t parse_samples(std::string_view text) {
   const Budget budget = parse_budget(text);
@@ -82,16 +88,16 @@ std::vector<std::string> names_of_parts(const Family& family) {
   for (const std::size_t i : mutations)
     names.push_back(fmt::format("mutation {}", Family::names[i]));
   if (mutations.size() > 1) names.emplace_back("the mixture of the mutations");
-  names.push_back(fmt::format("film by {}, the reference", reference_method));
-  for (const std::string_view method : checked_methods())
-    names.push_back(fmt::format("film by {}", method));
+  names.push_back(fmt::format("film by {}, the reference", reference_method().name));
+  for (const Method* method : checked_methods())
+    names.push_back(fmt::format("film by {}", method->name));
   return names;
 }
 
 CheckReport check(const SceneDocument& document, const CheckOptions& options,
                   const Session& session) {
-  const Dials& dials = options.given->dials;
-  const Family family = make_family(dials.family(), requires_of(document.scene));
+  const Job& job = *options.job;
+  const Family family = job.family();
   const std::size_t mutations = selectable(family).size(), mixtures = mutations > 1 ? 1 : 0;
   const std::size_t kernels = mutations + mixtures, methods = checked_methods().size();
   const double false_alarm = false_alarm_of_all / static_cast<double>(3 * kernels + methods);
@@ -104,10 +110,7 @@ CheckReport check(const SceneDocument& document, const CheckOptions& options,
                      .false_alarm = false_alarm_of_all};
   const Run run(session);
   Parts parts(session, run, names_of_parts(family));
-  const auto check_mutations = dials.precision == Precision::of_float
-                                   ? &check_family<FlatlandSingle>
-                                   : &check_family<Flatland>;
-  check_mutations(document.scene, family,
+  check_mutations(job,
                   {.samples = options.samples,
                    .steps = steps,
                    .seed = session.seed,
@@ -119,8 +122,8 @@ CheckReport check(const SceneDocument& document, const CheckOptions& options,
   Session rendering = session;
   rendering.budget = SampleBudget{report.method_samples};
   rendering.report = nullptr;
-  report.methods = check_methods(document.scene, dials, rendering, false_alarm,
-                                 [&] { parts.done(report.method_samples); });
+  report.methods =
+      check_methods(job, rendering, false_alarm, [&] { parts.done(report.method_samples); });
   return report;
 }
 
@@ -129,13 +132,10 @@ void examine(CheckOptions& options, const Global& global, Examination& examinati
     if (!global.out.empty()) throw UsageError("check writes no files; --json prints one document");
   });
   if (options.scene.empty()) return;
-  examination.part([&] {
-    const Dials& dials = options.given->dials;
-    SceneDocument document = open_scene(options.scene);
-    if (dials.max_vertices) document.scene.max_vertices = *dials.max_vertices;
-    require_precision(dials.precision, document.scene);
-    options.document = std::move(document);
-  });
+  examination.part([&] { options.document = open_scene(options.scene); });
+  if (!options.document) return;
+  options.job =
+      examined_job(options.document->scene, mutated_method(), options.given->dials, examination);
 }
 
 ExitCode check_scene(const CheckOptions& options, const Global& global) {

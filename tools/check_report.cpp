@@ -87,13 +87,14 @@ std::string words_of(const MethodCheck& check) {
   const Decision& d = check.decision;
   if (check.verdict == Verdict::failed)
     return fmt::format("DISAGREES with {} in bin {}: |t| is {}, threshold {:.1f}; {}",
-                       reference_method, d.worst, number_text(std::abs(d.statistic)), d.threshold,
-                       d.detail);
+                       reference_method().name, d.worst, number_text(std::abs(d.statistic)),
+                       d.threshold, d.detail);
   const std::string others = d.comparisons < check.bins
                                  ? fmt::format(", the other {} are not", check.bins - d.comparisons)
                                  : std::string();
   return fmt::format("agrees with {} (largest |t| {:.1f} of {} reliable bins{}, threshold {:.1f})",
-                     reference_method, std::abs(d.statistic), d.comparisons, others, d.threshold);
+                     reference_method().name, std::abs(d.statistic), d.comparisons, others,
+                     d.threshold);
 }
 
 ordered_json json_of(const Decision& d) {
@@ -120,7 +121,7 @@ ordered_json json_of(const KernelCheck& check, const CheckReport& report) {
 
 ordered_json json_of(const MethodCheck& check) {
   ordered_json json = {{"name", check.method},
-                       {"reference", reference_method},
+                       {"reference", reference_method().name},
                        {"verdict", word_of(check.verdict)},
                        {"words", words_of(check)}};
   if (check.verdict != Verdict::untested) json["bins"] = json_of(check.decision);
@@ -180,7 +181,8 @@ std::vector<NotTested> CheckReport::not_tested() const {
       all.push_back({check.name, std::move(tests), reason_untested(check.report)});
   for (const MethodCheck& check : methods)
     if (check.verdict == Verdict::untested)
-      all.push_back({check.method, {fmt::format("against {}", reference_method)}, check.reason});
+      all.push_back(
+          {check.method, {fmt::format("against {}", reference_method().name)}, check.reason});
   return all;
 }
 

@@ -14,12 +14,11 @@
 #include "lab/compare/reference.h"
 #include "lab/failure.h"
 #include "lab/load_warning.h"
-#include "lab/methods.h"
 #include "lab/parsing.h"
 #include "lab/reference_name.h"
 #include "lab/scene_source.h"
-#include "scenes/format/build_scene.h"
 #include "tools/console.h"
+#include "tools/examined_job.h"
 #include "tools/interruption.h"
 #include "tools/output_place.h"
 #include "tools/progress.h"
@@ -86,21 +85,16 @@ void examine(CompareOptions& options, const Global& global, Examination& examina
   });
   if (!options.plan || !options.document) return;
   options.plan->entrants = entrants_of(options, options.document->scene.max_vertices);
-  for (const Entrant& entrant : options.plan->entrants)
-    examination.part([&] { require_possible(entrant.contender.method, options.document->scene); });
-}
-
-std::vector<int> shape_of(const SceneDocument& document) {
-  const auto scene = build_flatland(document.scene);
-  const auto resolution = scene->resolution();
-  return {resolution.begin(), resolution.end()};
+  for (Entrant& entrant : options.plan->entrants)
+    entrant.job =
+        examined_job(options.document->scene, *entrant.method, entrant.dials, examination);
 }
 
 // What is known before anything is sampled.
 std::optional<Reference> known_reference(const SceneDocument& document, const std::string& wanted,
                                          Runs& runs) {
   if (wanted != "auto")
-    return reference_from_file(wanted, shape_of(document), runs.provenance, runs.warnings);
+    return reference_from_file(wanted, film_shape(document.scene), runs.provenance, runs.warnings);
   std::string why;
   auto exact = exact_reference(document.scene, why);
   if (!exact) spdlog::debug("no exact film: {}", why);
@@ -164,9 +158,9 @@ void make_runs(const SceneDocument& document, const Plan& plan, std::optional<Re
   Forecast ahead = forecast(plan, paces_of(plan, course));
   LongPlan long_plan;
   const ReferenceCache cache(runs.provenance, document.scene.max_vertices);
-  const std::vector<int> shape = shape_of(document);
+  const std::vector<int> shape = film_shape(document.scene);
   if (!reference) {
-    const std::vector<Worth> worths = hold_trial(document.scene, plan, course);
+    const std::vector<Worth> worths = hold_trial(plan, course);
     long_plan = plan_reference(plan, worths, cache.load(shape, runs.warnings), ahead.longest);
     ahead.of_reference = long_plan.seconds;
   }

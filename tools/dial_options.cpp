@@ -4,7 +4,7 @@
 
 namespace wander {
 
-void DialOptions::require_for(std::string_view method) const {
+void DialOptions::require_for(const Method& method) const {
   for (const Dial* dial : turned) require_dial(*dial, method);
 }
 

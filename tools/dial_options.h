@@ -19,7 +19,7 @@ struct DialOptions {
   std::vector<const Dial*> turned{};  // those that were given
 
   // Throws UsageError if the method does not have a dial that was given.
-  void require_for(std::string_view method) const;
+  void require_for(const Method& method) const;
 };
 
 // The dials of these words.

@@ -25,10 +25,10 @@ ordered_json counts_of(const description::Scene& scene) {
 }
 
 ordered_json film_of(const description::Scene& scene) {
-  if (scene.camera) return {{"sensor", "camera"}, {"shape", scene.camera->resolution}};
+  std::string sensor = "camera";
   for (const description::Shape& shape : scene.shapes)
-    if (shape.sensor) return {{"sensor", type_of(shape.kind)}, {"shape", shape.sensor->resolution}};
-  return {};
+    if (shape.sensor) sensor = type_of(shape.kind);
+  return {{"sensor", sensor}, {"shape", film_shape(scene)}};
 }
 
 ordered_json requirements_of(const description::Scene& scene) {

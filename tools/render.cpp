@@ -7,15 +7,16 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "lab/engine.h"
 #include "lab/failure.h"
 #include "lab/load_warning.h"
-#include "lab/methods.h"
 #include "lab/parsing.h"
 #include "lab/scene_source.h"
 #include "records/run_files.h"
 #include "records/run_json.h"
 #include "tools/console.h"
 #include "tools/dial_options.h"
+#include "tools/examined_job.h"
 #include "tools/interruption.h"
 #include "tools/output_place.h"
 #include "tools/progress.h"
@@ -28,21 +29,13 @@ namespace {
 
 struct RenderOptions {
   std::string scene;
-  const MethodName* method = nullptr;
+  const Method* method = nullptr;
   Budget budget = TimeBudget{5};
   std::shared_ptr<DialOptions> given = std::make_shared<DialOptions>();
-  std::optional<SceneDocument> document;  // once it is read
+  // Once the scene is read.
+  std::optional<SceneDocument> document;
+  std::optional<Job> job;
 };
-
-SceneDocument scene_for(const RenderOptions& options) {
-  SceneDocument document = open_scene(options.scene);
-  const Dials& dials = options.given->dials;
-  if (dials.max_vertices) document.scene.max_vertices = *dials.max_vertices;
-  spdlog::debug("scene {}: {} shapes, {} materials, at most {} vertices, sha256 {}", options.scene,
-                document.scene.shapes.size(), document.scene.materials.size(),
-                document.scene.max_vertices, document.sha256);
-  return document;
-}
 
 void examine(RenderOptions& options, const Global& global, Examination& examination) {
   examination.part([&] {
@@ -50,14 +43,19 @@ void examine(RenderOptions& options, const Global& global, Examination& examinat
       throw UsageError("render needs -o DIR (where the film goes), or --json, or both");
     if (!global.out.empty()) require_replaceable_directory(global.out, global);
   });
-  if (options.method) examination.part([&] { options.given->require_for(options.method->name); });
+  if (options.method) examination.part([&] { options.given->require_for(*options.method); });
   if (options.scene.empty()) return;
-  examination.part([&] { options.document = scene_for(options); });
-  if (!options.document) return;
-  examination.part(
-      [&] { require_precision(options.given->dials.precision, options.document->scene); });
-  if (options.method)
-    examination.part([&] { require_possible(options.method->name, options.document->scene); });
+  examination.part([&] { options.document = open_scene(options.scene); });
+  if (!options.document || !options.method) return;
+  options.job =
+      examined_job(options.document->scene, *options.method, options.given->dials, examination);
+}
+
+void say_scene(const RenderOptions& options) {
+  const description::Scene& scene = options.job->scene();
+  spdlog::debug("scene {}: {} shapes, {} materials, at most {} vertices, sha256 {}", options.scene,
+                scene.shapes.size(), scene.materials.size(), scene.max_vertices,
+                options.document->sha256);
 }
 
 Rendering rendering_of(const SceneDocument& document, const RenderOptions& options,
@@ -68,7 +66,7 @@ Rendering rendering_of(const SceneDocument& document, const RenderOptions& optio
                         .threads = global.threads,
                         .interrupted = &watch_for_interruption(),
                         .report = progress.reporter()};
-  Rendering rendering = render(document.scene, options.method->name, options.given->dials, session);
+  Rendering rendering = render(*options.job, session);
   if (is_of_wall_time(options.budget))
     if (std::string load =
             load_warning(rendering.seconds, rendering.processor_seconds, rendering.threads);
@@ -81,6 +79,7 @@ Rendering rendering_of(const SceneDocument& document, const RenderOptions& optio
 
 ExitCode render_scene(const RenderOptions& options, const Global& global) {
   const SceneDocument& document = *options.document;
+  say_scene(options);
   std::optional<OutputDirectory> directory;
   if (!global.out.empty()) directory.emplace(global.out, global);
 
@@ -88,7 +87,7 @@ ExitCode render_scene(const RenderOptions& options, const Global& global) {
                       provenance_of(document, global.command_line)};
 
   if (directory) {
-    write_run(run, document.scene, directory->path());
+    write_run(run, options.job->scene(), directory->path());
     spdlog::debug("wrote film.exr, film.csv and run.json");
   }
   if (!global.quiet) {
@@ -102,7 +101,7 @@ ExitCode render_scene(const RenderOptions& options, const Global& global) {
 
 std::string methods_help() {
   std::string text = "Methods:\n";
-  for (const MethodName& method : methods)
+  for (const Method& method : methods())
     text += fmt::format("  {:<9} {}\n", method.name, method.summary);
   return text;
 }
@@ -128,7 +127,7 @@ void add_render(CLI::App& app, Global& global) {
   verb->add_option("SCENE", options->scene, scene_help)->type_name("")->required();
   verb->add_option_function<std::string>(
           "-m,--method",
-          [options](const std::string& text) { options->method = &parse_method(text); },
+          [options](const std::string& text) { options->method = &find_method(text); },
           "how to estimate: see below")
       ->type_name("METHOD")
       ->required();

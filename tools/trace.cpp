@@ -9,17 +9,19 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "lab/engine.h"
 #include "lab/failure.h"
-#include "lab/nearest.h"
 #include "lab/parsing.h"
+#include "lab/replay.h"
 #include "lab/scene_source.h"
-#include "lab/tracers.h"
+#include "lab/trace.h"
 #include "lab/wording.h"
 #include "records/atomic_file.h"
 #include "records/trajectory_csv.h"
 #include "records/trajectory_netcdf.h"
 #include "tools/console.h"
 #include "tools/dial_options.h"
+#include "tools/examined_job.h"
 #include "tools/inspection.h"
 #include "tools/interruption.h"
 #include "tools/output_place.h"
@@ -37,7 +39,7 @@ constexpr std::uint64_t most_draws = 100'000'000;  // of all chains, some hundre
 
 struct TraceOptions {
   std::string scene;
-  std::string method = "mlt";
+  const Method* method = traced_methods().front();
   std::shared_ptr<DialOptions> given = std::make_shared<DialOptions>();
   int chains = 4;
   std::optional<std::uint64_t> steps;
@@ -48,24 +50,23 @@ struct TraceOptions {
     std::uint64_t step;
   };
   std::optional<Step> replay;
-  std::optional<SceneDocument> document;  // once it is read
+  // Once the scene is read.
+  std::optional<SceneDocument> document;
+  std::optional<Job> job;
 };
 
 void require_traceable(const TraceOptions& options) {
-  const std::string_view method = options.method;
-  const auto known = traced_methods();
-  if (std::find(known.begin(), known.end(), method) == known.end())
+  const Method& method = *options.method;
+  if (!method.is_traced())
     throw UsageError(fmt::format(
-        "trace records Markov chains whose state is one path; {} has none: allowed are {}", method,
-        fmt::join(known, " and ")));
+        "trace records Markov chains whose state is one path; {} has none: allowed are {}",
+        method.name, in_words(traced_methods())));
   options.given->require_for(method);
-  if (method == "mlt") return;
-  if (options.replay)
+  if (options.replay && !method.is_replayed())
     throw UsageError(fmt::format(
-        "--replay takes apart steps of mlt, which are proposed in path space; those of {} are "
-        "moves "
+        "--replay takes apart steps of {}, which are proposed in path space; those of {} are moves "
         "of random numbers: record them with -o FILE.nc, which has every term of their acceptance",
-        method));
+        in_words(methods_that([](const Method& m) { return m.is_replayed(); })), method.name));
 }
 
 bool is_csv(const Global& global) { return global.out.extension() == ".csv"; }
@@ -110,7 +111,7 @@ TrajectoryRecord record_of(const SceneDocument& document, const TraceOptions& op
                            const Global& global, Trace&& trace) {
   return {.trajectory = std::move(trace.trajectory),
           .complete = trace.complete,
-          .method = options.method,
+          .method = std::string(options.method->name),
           .seed = global.seed,
           .normalization = trace.normalization,
           .provenance = provenance_of(document, global.command_line)};
@@ -123,12 +124,11 @@ void write(const TrajectoryRecord& record, const description::Scene& scene, cons
 ExitCode record_chains(const SceneDocument& document, const TraceOptions& options,
                        const Session& session, const Global& global) {
   const TraceRequest request{options.chains, window_of(options)};
-  Trace trace =
-      wander::trace(document.scene, options.method, options.given->dials, session, request);
+  Trace trace = wander::trace(*options.job, session, request);
   const double seconds = trace.seconds, seed_seconds = trace.seed_seconds;
   const int threads = trace.threads;
   const TrajectoryRecord record = record_of(document, options, global, std::move(trace));
-  if (!global.out.empty()) write(record, document.scene, global);
+  if (!global.out.empty()) write(record, options.job->scene(), global);
 
   if (!global.quiet) {
     print_note(text_of_trajectory(record));
@@ -149,10 +149,8 @@ ExitCode record_chains(const SceneDocument& document, const TraceOptions& option
   return record.complete ? ExitCode::ok : ExitCode::interrupted;
 }
 
-ExitCode replay_step(const SceneDocument& document, const TraceOptions& options,
-                     const Session& session, const Global& global) {
-  const Replay step = replay(document.scene, options.given->dials, session, options.replay->chain,
-                             options.replay->step);
+ExitCode replay_step(const TraceOptions& options, const Session& session, const Global& global) {
+  const Replay step = replay(*options.job, session, options.replay->chain, options.replay->step);
   if (global.json)
     print_json(json_of_replay(step));
   else
@@ -165,13 +163,10 @@ void examine(TraceOptions& options, const Global& global, Examination& examinati
   examination.part([&] { require_traceable(options); });
   examination.part([&] { window_of(options); });
   if (options.scene.empty()) return;
-  examination.part([&] {
-    const Dials& dials = options.given->dials;
-    SceneDocument document = open_scene(options.scene);
-    if (dials.max_vertices) document.scene.max_vertices = *dials.max_vertices;
-    require_precision(dials.precision, document.scene);
-    options.document = std::move(document);
-  });
+  examination.part([&] { options.document = open_scene(options.scene); });
+  if (!options.document) return;
+  options.job =
+      examined_job(options.document->scene, *options.method, options.given->dials, examination);
 }
 
 ExitCode trace_scene(const TraceOptions& options, const Global& global) {
@@ -184,7 +179,7 @@ ExitCode trace_scene(const TraceOptions& options, const Global& global) {
                         .interrupted = &watch_for_interruption(),
                         .report = progress.reporter()};
   try {
-    return options.replay ? replay_step(document, options, session, global)
+    return options.replay ? replay_step(options, session, global)
                           : record_chains(document, options, session, global);
   } catch (const NothingComputed& nothing) {
     throw CommandFailure(ExitCode::interrupted, nothing.what());
@@ -221,8 +216,9 @@ void add_trace_options(CLI::App& verb, const std::shared_ptr<TraceOptions>& opti
     verb.add_option_function<std::string>(name, parse, help)->type_name(type);
   };
   verb.add_option("SCENE", options->scene, scene_help)->type_name("")->required();
-  option("-m,--method", "METHOD", "mlt (the default) or mmlt",
-         [options](const std::string& text) { options->method = parse_method(text).name; });
+  option("-m,--method", "METHOD",
+         fmt::format("{} (default: {})", in_words(traced_methods(), "or"), options->method->name),
+         [options](const std::string& text) { options->method = &find_method(text); });
   add_dial_options(verb, chain_dials, options->given);
   option("--chains", "N", "how many chains (default: 4)", [options](const std::string& text) {
     options->chains = static_cast<int>(parse_count("--chains", text, 1, most_traced_chains));

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "lab/compare/budgets.h"
-#include "lab/methods.h"
 
 namespace wander::compare {
 
@@ -14,7 +13,7 @@ double Course::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
 }
 
-Rendering Course::render(const Entrant& entrant, const Budget& budget, std::uint64_t seed,
+Rendering Course::render(const Job& job, const Budget& budget, std::uint64_t seed,
                          const std::string& what) {
   Session session = common_;
   session.budget = budget;
@@ -27,7 +26,7 @@ Rendering Course::render(const Entrant& entrant, const Budget& budget, std::uint
       fraction_ = std::max(fraction_, std::min(1.0, done / effort_));
       common_.report({fraction_, samples_ + run.samples, seconds(), what.c_str()});
     };
-  Rendering rendering = wander::render(scene_, entrant.contender.method, entrant.dials, session);
+  Rendering rendering = wander::render(job, session);
   samples_ += rendering.samples;
   return rendering;
 }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/description.h"
-#include "lab/compare/lineup.h"
+#include "lab/engine.h"
 #include "records/rendering.h"
 #include "work/session.h"
 
@@ -22,8 +22,12 @@ class Course {
   void expect(double effort) { effort_ = done_ + effort; }
 
   // `what` stands beside the bar: "bdpt 4s, replicate 3 of 8".
-  Rendering render(const Entrant& entrant, const Budget& budget, std::uint64_t seed,
+  Rendering render(const Job& job, const Budget& budget, std::uint64_t seed,
                    const std::string& what);
+
+  // Of the runs that make a reference: all dials as usual.
+  Job usual(const Method& method) const { return {scene_, method}; }
+  const description::Scene& scene() const { return scene_; }
 
   bool is_interrupted() const { return common_.interrupted && common_.interrupted->load(); }
 

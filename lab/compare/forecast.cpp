@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/compare/schedule.h"
-#include "lab/render.h"
 #include "lab/wording.h"
+#include "mlt/seeds/nothing_found.h"
 
 namespace wander::compare {
 
@@ -30,7 +30,7 @@ Pace pace_of(const Plan& plan, std::size_t contender, Course& course) {
   const Entrant& entrant = plan.entrants[contender];
   const ChainSettings& chains = entrant.dials.chains;
   try {
-    const Rendering run = course.render(entrant, budget_of_a_pace(plan),
+    const Rendering run = course.render(entrant.job.value(), budget_of_a_pace(plan),
                                         trial_seed(plan.seed, first_seed + contender),
                                         "timing " + entrant.contender.label);
     if (run.samples == 0) return {};

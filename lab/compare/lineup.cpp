@@ -12,8 +12,6 @@ namespace wander::compare {
 
 namespace {
 
-bool has(const MethodName& method, const Dial& dial) { return dial.missing(method.name).empty(); }
-
 // "DIAL=REST"; `form` is what the option takes.
 std::pair<const Dial*, std::string_view> dial_in(std::string_view option, std::string_view form,
                                                  std::string_view text) {
@@ -31,16 +29,17 @@ std::string checked(const Dial& dial, std::string_view value) {
   return std::string(value);
 }
 
-void require_of_some(const Dial& dial, std::span<const MethodName* const> methods) {
-  if (std::ranges::none_of(methods, [&](const MethodName* m) { return has(*m, dial); }))
-    require_dial(dial, methods.front()->name);
+void require_of_some(const Dial& dial, std::span<const Method* const> methods) {
+  if (std::ranges::none_of(methods, [&](const Method* m) { return dial.is_of(*m); }))
+    require_dial(dial, *methods.front());
 }
 
-Entrant entrant(const MethodName& method, std::span<const Setting> fixed) {
+Entrant entrant(const Method& method, std::span<const Setting> fixed) {
   Entrant entrant{
-      .contender = {.label = std::string(method.name), .method = std::string(method.name)}};
+      .contender = {.label = std::string(method.name), .method = std::string(method.name)},
+      .method = &method};
   for (const Setting& setting : fixed) {
-    if (!has(method, *setting.dial)) continue;
+    if (!setting.dial->is_of(method)) continue;
     setting.dial->set(entrant.dials, setting.value);
     entrant.settings.push_back(setting);
   }
@@ -93,8 +92,7 @@ class Lineup {
   Dials resolved(const Entrant& entrant) const {
     Dials dials = entrant.dials;
     dials.mutations = normalized(std::move(dials.mutations));
-    if (dials.estimator == StepEstimator::usual)
-      dials.estimator = usual_estimator(entrant.contender.method);
+    if (dials.estimator == StepEstimator::usual) dials.estimator = entrant.method->usual_estimator;
     if (!dials.max_vertices) dials.max_vertices = max_vertices_;
     return dials;
   }
@@ -131,9 +129,9 @@ void add_method(Lineup& lineup, Entrant base, std::span<const Sweep> sweeps) {
 
 }  // namespace
 
-std::vector<const MethodName*> parse_methods(std::string_view text) {
-  std::vector<const MethodName*> methods;
-  for (const std::string_view word : split(text, ',')) methods.push_back(&parse_method(word));
+std::vector<const Method*> parse_methods(std::string_view text) {
+  std::vector<const Method*> methods;
+  for (const std::string_view word : split(text, ',')) methods.push_back(&find_method(word));
   return methods;
 }
 
@@ -152,15 +150,14 @@ Sweep parse_sweep(std::string_view text) {
   return sweep;
 }
 
-std::vector<Entrant> line_up(std::span<const MethodName* const> methods,
-                             std::span<const Setting> fixed, std::span<const Sweep> sweeps,
-                             std::optional<int> max_vertices) {
+std::vector<Entrant> line_up(std::span<const Method* const> methods, std::span<const Setting> fixed,
+                             std::span<const Sweep> sweeps, std::optional<int> max_vertices) {
   for (const Setting& setting : fixed) require_of_some(*setting.dial, methods);
   for (const Sweep& sweep : sweeps) require_of_some(*sweep.dial, methods);
   Lineup lineup(max_vertices);
-  for (const MethodName* method : methods) {
+  for (const Method* method : methods) {
     std::vector<Sweep> own(sweeps.begin(), sweeps.end());
-    std::erase_if(own, [&](const Sweep& sweep) { return !has(*method, *sweep.dial); });
+    std::erase_if(own, [&](const Sweep& sweep) { return !sweep.dial->is_of(*method); });
     add_method(lineup, entrant(*method, fixed), own);
   }
   return std::move(lineup).all();

@@ -14,8 +14,7 @@
 #include <vector>
 
 #include "lab/compare/runs.h"
-#include "lab/dials.h"
-#include "lab/names.h"
+#include "lab/job.h"
 
 namespace wander::compare {
 
@@ -33,20 +32,21 @@ struct Sweep {
 // A contender and what render() needs of it.
 struct Entrant {
   Contender contender;
+  const Method* method = nullptr;
   std::vector<Setting> settings{};  // of dials that the method has
   Dials dials{};                    // what these settings make
+  std::optional<Job> job{};         // once the scene is read
 };
 
 // Each throws UsageError that says what is allowed.
-std::vector<const MethodName*> parse_methods(std::string_view text);  // "bdpt,mlt"
-Setting parse_setting(std::string_view text);                         // "DIAL=VALUE"
+std::vector<const Method*> parse_methods(std::string_view text);  // "bdpt,mlt"
+Setting parse_setting(std::string_view text);                     // "DIAL=VALUE"
 // "DIAL=V1,V2,…".  Values that hold commas themselves are parted by semicolons.
 Sweep parse_sweep(std::string_view text);
 
 // `max_vertices` is what the scene says, if that is known.  Throws UsageError where a dial is of no
 // method, or a contender would take part twice.
-std::vector<Entrant> line_up(std::span<const MethodName* const> methods,
-                             std::span<const Setting> fixed, std::span<const Sweep> sweeps,
-                             std::optional<int> max_vertices);
+std::vector<Entrant> line_up(std::span<const Method* const> methods, std::span<const Setting> fixed,
+                             std::span<const Sweep> sweeps, std::optional<int> max_vertices);
 
 }  // namespace wander::compare

@@ -12,8 +12,8 @@
 #include "lab/compare/reference_pool.h"
 #include "lab/compare/schedule.h"
 #include "lab/failure.h"
-#include "lab/render.h"
 #include "lab/wording.h"
+#include "mlt/seeds/nothing_found.h"
 
 namespace wander::compare {
 
@@ -124,9 +124,8 @@ std::vector<Part> parts_of(const std::vector<Maker>& makers) {
   throw CommandFailure(
       ExitCode::failure,
       fmt::format("nothing to measure errors against: long runs of {}, {} samples together, found "
-                  "no light; look for walls without a gap, a light or sensor that faces away, or a "
-                  "max_vertices that is too small; else give a larger -b or --reference FILE",
-                  names, count_in_words(samples)));
+                  "no light; {}; else give a larger -b or --reference FILE",
+                  names, count_in_words(samples), where_light_is_lost));
 }
 
 }  // namespace
@@ -170,7 +169,8 @@ Reference make_reference(const Plan& plan, LongPlan reference, const ReferenceCa
       const std::string what =
           fmt::format("reference: {} {}", maker.worth.method, text_of(maker.budget));
       try {
-        Rendering run = course.render(usual(maker.worth.method), maker.budget, seeds.next(), what);
+        Rendering run = course.render(course.usual(find_method(maker.worth.method)), maker.budget,
+                                      seeds.next(), what);
         if (run.samples == 0) continue;
         const bool is_worth_keeping = run.complete && !is_dark(run.film);
         maker.runs.runs.push_back(std::move(run));

@@ -7,7 +7,7 @@
 #include "lab/compare/schedule.h"
 #include "lab/failure.h"
 #include "lab/parsing.h"
-#include "lab/render.h"
+#include "mlt/seeds/nothing_found.h"
 
 namespace wander::compare {
 
@@ -94,8 +94,8 @@ void measure(const Plan& plan, Course& course, Runs& runs) {
     if (!runs.complete) return;
     try {
       Rendering rendering =
-          course.render(plan.entrants[turn.contender], plan.budgets[turn.budget].budget, turn.seed,
-                        name_of(plan, turn));
+          course.render(plan.entrants[turn.contender].job.value(), plan.budgets[turn.budget].budget,
+                        turn.seed, name_of(plan, turn));
       runs.complete = rendering.complete;
       if (!runs.complete) return;
       runs.runs.push_back(run_of(plan, turn, rendering));

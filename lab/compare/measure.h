@@ -12,8 +12,8 @@
 namespace wander::compare {
 
 struct Plan {
-  std::string source;  // SCENE, as typed
-  std::vector<Entrant> entrants;
+  std::string source;             // SCENE, as typed
+  std::vector<Entrant> entrants;  // with their jobs, where runs are made
   std::vector<NamedBudget> budgets;
   std::size_t replicates = 8;
   std::uint64_t seed = 1;

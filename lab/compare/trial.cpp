@@ -1,23 +1,19 @@
 #include "lab/compare/trial.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
-#include <string_view>
 #include <utility>
 
 #include "lab/compare/schedule.h"
 #include "lab/film_pool.h"
-#include "lab/methods.h"
-#include "lab/render.h"
+#include "lab/method.h"
+#include "mlt/seeds/nothing_found.h"
 
 namespace wander::compare {
 
 namespace {
 
-// The naive forms are never the best.
-constexpr std::array<std::string_view, 6> methods{"bdpt", "pt", "lt", "mlt", "pssmlt", "mmlt"};
 constexpr std::size_t runs_of_each = 4;
 constexpr double share = 0.03;                    // of the runs and a reference together
 constexpr double shortest = 0.02, longest = 0.5;  // seconds of a run
@@ -25,6 +21,15 @@ constexpr double fewest = 2'000, most = 200'000;  // samples of a run
 constexpr double evidence = 4;                    // squared standard errors
 
 double squared(double x) { return x * x; }
+
+// The reference of all checks first.
+std::vector<const Method*> methods_of_trial() {
+  auto methods = methods_that([](const Method& method) { return method.makes_references; });
+  std::ranges::stable_partition(
+      methods, [](const Method* method) { return method->check == CheckRole::reference; });
+  return methods;
+}
+std::size_t runs_of_trial() { return methods_of_trial().size() * runs_of_each; }
 
 double largest_value(const std::vector<FilmEstimate>& films) {
   double unit = 0;  // squares stay finite
@@ -68,7 +73,7 @@ Budget budget_of_a_run(const Plan& plan) {
   const Budget& like = plan.budgets.back().budget;
   const bool is_time = std::holds_alternative<TimeBudget>(like);
   const double all = effort_of(plan) + reference_effort(plan);
-  const double of_one = share * all / static_cast<double>(methods.size() * runs_of_each);
+  const double of_one = share * all / static_cast<double>(runs_of_trial());
   return budget_of(std::clamp(of_one, is_time ? shortest : fewest, is_time ? longest : most), like);
 }
 
@@ -90,21 +95,18 @@ std::vector<Worth> ranked(const std::vector<Candidate>& candidates) {
   return worths;
 }
 
-Entrant usual(std::string_view method) {
-  return {.contender = {.label = std::string(method), .method = std::string(method)}};
-}
-
-std::vector<Worth> hold_trial(const description::Scene& scene, const Plan& plan, Course& course) {
+std::vector<Worth> hold_trial(const Plan& plan, Course& course) {
+  const std::vector<const Method*> methods = methods_of_trial();
   std::vector<Candidate> candidates;
-  for (const std::string_view method : methods)
-    if (sees_all_light(method, scene)) candidates.push_back({std::string(method)});
+  for (const Method* method : methods)
+    if (method->sees_all_light(course.scene())) candidates.push_back({std::string(method->name)});
   const Budget budget = budget_of_a_run(plan);
   for (std::size_t r = 0; r < runs_of_each; ++r)
     for (std::size_t c = 0; c < candidates.size(); ++c) {
       if (course.is_interrupted()) return {};
       try {
         const std::uint64_t seed = trial_seed(plan.seed, r * methods.size() + c);
-        Rendering run = course.render(usual(candidates[c].method), budget, seed,
+        Rendering run = course.render(course.usual(find_method(candidates[c].method)), budget, seed,
                                       "trial: " + candidates[c].method);
         if (run.samples > 0) candidates[c].runs.push_back(std::move(run));
       } catch (const NoLightFound&) {
@@ -117,7 +119,7 @@ std::vector<Worth> hold_trial(const description::Scene& scene, const Plan& plan,
 }
 
 double trial_effort(const Plan& plan) {
-  return static_cast<double>(methods.size() * runs_of_each) * effort_of(budget_of_a_run(plan));
+  return static_cast<double>(runs_of_trial()) * effort_of(budget_of_a_run(plan));
 }
 
 }  // namespace wander::compare

@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "core/description.h"
 #include "lab/compare/course.h"
 #include "lab/compare/measure.h"
 #include "records/rendering.h"
@@ -39,12 +38,9 @@ struct Candidate {
 // The most efficient first.
 std::vector<Worth> ranked(const std::vector<Candidate>& candidates);
 
-// A method with all dials as usual.
-Entrant usual(std::string_view method);
-
 // Together about 3 % of the comparison.  None after an interruption.  A method whose chains
 // find no light takes no part.
-std::vector<Worth> hold_trial(const description::Scene& scene, const Plan& plan, Course& course);
+std::vector<Worth> hold_trial(const Plan& plan, Course& course);
 
 // All runs of the trial together, as hold_trial() counts them (effort_of).
 double trial_effort(const Plan& plan);

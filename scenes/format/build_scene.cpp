@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/requirements.h"
+
 namespace wander {
 
 namespace {
@@ -110,20 +112,17 @@ template <World W>
 std::unique_ptr<const Scene<W>> build_flatland(const description::Scene& scene) {
   SceneParts<W> parts;
   parts.max_vertices = scene.max_vertices;
+  parts.resolution = film_shape(scene);
   for (const auto& m : scene.materials) parts.materials.push_back(build_material<W>(m.kind));
   const std::size_t black = parts.materials.size();
   parts.materials.push_back(Black<W>{});
   for (const auto& shape : scene.shapes) {
-    if (shape.sensor) parts.resolution = shape.sensor->resolution;
     const double radiance = shape.light ? grey(shape.light->radiance) : 0;
     PartAdder<W> adder{parts, shape.material.value_or(black),
                        static_cast<typename W::Real>(radiance), shape.sensor.has_value()};
     std::visit(adder, shape.kind);
   }
-  if (scene.camera) {
-    parts.camera = build_camera<W>(*scene.camera);
-    parts.resolution = scene.camera->resolution;
-  }
+  if (scene.camera) parts.camera = build_camera<W>(*scene.camera);
   return std::make_unique<const Scene<W>>(std::move(parts));
 }
 

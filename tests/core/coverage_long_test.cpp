@@ -9,7 +9,7 @@
 #include <boost/math/distributions/students_t.hpp>
 
 #include "core/exact/radiosity.h"
-#include "lab/methods.h"
+#include "lab/engine.h"
 #include "scenes/format/scene_file.h"
 #include "tests/support/expect.h"
 #include "tests/support/statistics.h"
@@ -64,7 +64,7 @@ TEST_P(Coverages, OfTheNinetyFivePercentIntervalsAreWhatTheyPromise) {
     Session session;
     session.budget = SampleBudget{c.samples};
     session.seed = 1000 + static_cast<std::uint64_t>(run);
-    const FilmEstimate film = render(document.scene, c.method, {}, session).film;
+    const FilmEstimate film = render({document.scene, find_method(c.method)}, session).film;
     honest.add(film, exact, 1);
     short_by_a_third.add(film, exact, 0.7);
   }

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lab/engine.h"
 #include "lab/failure.h"
-#include "lab/methods.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_scenes.h"
 #include "tests/tools/command_line.h"
@@ -30,6 +30,15 @@ TEST(Dials, AreFoundByTheirWords) {
   EXPECT_THROW(find_dial("large_stop"), UsageError);
 }
 
+TEST(Dials, AreInTheOrderOfTheirIdsAndEachOfSomeMethod) {
+  for (std::size_t i = 0; i < dials().size(); ++i) {
+    const Dial& dial = dials()[i];
+    EXPECT_EQ(dial.id, static_cast<DialId>(i)) << dial.word;
+    EXPECT_TRUE(std::ranges::any_of(methods(), [&](const Method& m) { return dial.is_of(m); }));
+  }
+  EXPECT_EQ(dials().size(), static_cast<std::size_t>(DialId::kernel) + 1);
+}
+
 TEST(Dials, TakeWhatIsInTheirRange) {
   EXPECT_EQ(turned("precision", "float").precision, Precision::of_float);
   EXPECT_EQ(turned("precision", "double").precision, Precision::of_double);
@@ -51,11 +60,11 @@ TEST(Dials, RefuseWhatIsNot) {
 TEST(Dials, AreRefusedByMethodsThatDoNotHaveThem) {
   for (const char* word : {"large_step", "kernel"}) {
     for (const char* method : {"mlt", "pssmlt", "mmlt"})
-      EXPECT_NO_THROW(require_dial(find_dial(word), method));
+      EXPECT_NO_THROW(require_dial(find_dial(word), find_method(method)));
     for (const char* method : {"pt", "lt", "bdpt", "pt-naive", "lt-naive"})
-      EXPECT_THROW(require_dial(find_dial(word), method), UsageError);
+      EXPECT_THROW(require_dial(find_dial(word), find_method(method)), UsageError);
   }
-  for (const std::string_view method : method_names())
+  for (const Method& method : methods())
     EXPECT_NO_THROW(require_dial(find_dial("precision"), method));
 }
 
@@ -82,7 +91,7 @@ Rendering render_with(std::string_view method, const Dials& dials) {
   Session session;
   session.budget = SampleBudget{15'000};
   session.threads = 2;
-  return render(mirror_and_glass(), method, dials, session);
+  return render({mirror_and_glass(), find_method(method), dials}, session);
 }
 const MutationRecord& record(const Rendering& rendering, std::string_view name) {
   return *std::ranges::find(rendering.mutations, name, &MutationRecord::name);
@@ -134,7 +143,10 @@ TEST_F(CommandLine, DialsAreOptionsOfRenderTraceAndCheck) {
 TEST_F(CommandLine, DialsThatDoNotFitAreExitTwoAndSayWhy) {
   EXPECT_HAS(wander("render box.json -m bdpt --json --kernel 2").err, "bdpt does not have it");
   EXPECT_HAS(wander("render box.json -m mlt --json --large-step 1").err, "above 0 and below 1");
-  EXPECT_HAS(wander("trace box.json -m mmlt --json --mutations lens=1").err, "is for mlt");
+  EXPECT_HAS(wander("trace box.json -m mmlt --json --mutations lens=1").err,
+             "--mutations is for mlt; mmlt does not have it");
+  EXPECT_HAS(wander("render box.json -m mmlt --json --chains 64").err,
+             "--chains is for mlt and pssmlt; mmlt does not have it");
   EXPECT_HAS(wander("render box.json -m pt --json --precision flaot").err,
              "did you mean \"float\"?");
   json scene = json::parse(box);

@@ -97,27 +97,10 @@ TEST(Mutations, AnUnknownParameterIsAnsweredWithTheNearest) {
   }
 }
 
-TEST(Method, EveryMethodOfTheProgramIsExplained) {
-  ASSERT_EQ(method_names().size(), methods.size());
-  for (std::size_t i = 0; i < methods.size(); ++i) EXPECT_EQ(method_names()[i], methods[i].name);
-  EXPECT_EQ(parse_method("lt-naive").name, "lt-naive");
-}
-
 TEST(Estimator, IsOneOfTwoWords) {
   EXPECT_EQ(parse_estimator("kelemen"), StepEstimator::kelemen);
   EXPECT_EQ(parse_estimator("expected"), StepEstimator::expected);
   EXPECT_THROW(parse_estimator("usual"), UsageError);
-}
-
-TEST(Method, AnUnknownOneIsAnsweredWithTheNearest) {
-  try {
-    parse_method("bdtp");
-    FAIL();
-  } catch (const UsageError& error) {
-    EXPECT_EQ(error.what(),
-              std::string("unknown method \"bdtp\"; did you mean \"bdpt\"? "
-                          "allowed are pt, lt, bdpt, mlt, pssmlt, mmlt, pt-naive, lt-naive"));
-  }
 }
 
 TEST(Number, OptionsTakeWholeNumbersInTheirRange) {

@@ -7,7 +7,7 @@
 
 #include <map>
 
-#include "lab/methods.h"
+#include "lab/engine.h"
 #include "lab/scene_source.h"
 #include "tests/support/expect.h"
 #include "tests/support/films.h"
@@ -43,7 +43,7 @@ const FilmEstimate& reference_of(const description::Scene& scene) {
   static std::map<std::string, FilmEstimate> known;
   const auto found = known.find(scene.name);
   if (found != known.end()) return found->second;
-  const Rendering rendering = render(scene, "bdpt", {}, session_of(60'000, 2));
+  const Rendering rendering = render({scene, find_method("bdpt")}, session_of(60'000, 2));
   EXPECT_EQ(rendering.precision, "double");
   return known.emplace(scene.name, rendering.film).first->second;
 }
@@ -52,8 +52,8 @@ class SingleFilms : public ::testing::TestWithParam<const char*> {
  protected:
   static FilmEstimate film_of(const description::Scene& scene, std::string_view method,
                               std::uint64_t samples = 25'000) {
-    const Rendering rendering =
-        render(scene, method, {.precision = Precision::of_float}, session_of(samples, 1));
+    const Rendering rendering = render(
+        {scene, find_method(method), {.precision = Precision::of_float}}, session_of(samples, 1));
     EXPECT_EQ(rendering.precision, "float");
     return rendering.film;
   }
@@ -113,7 +113,8 @@ INSTANTIATE_TEST_SUITE_P(Dials, TurnedFilms,
 TEST_P(TurnedFilms, AreTheSameWithinTheirErrors) {
   const description::Scene scene = mirror_and_glass();
   for (const char* method : {"mlt", "pssmlt", "mmlt"}) {
-    const FilmEstimate film = render(scene, method, GetParam().dials, session_of(40'000, 1)).film;
+    const FilmEstimate film =
+        render({scene, find_method(method), GetParam().dials}, session_of(40'000, 1)).film;
     const Decision decision = films_agree(film, reference_of(scene), usual_false_alarm);
     if (decision.comparisons == 0) continue;  // short moves leave few bins reliable
     EXPECT_TRUE(passes(decision)) << method;

@@ -2,10 +2,11 @@
 // moves a hundred times as short and ten times as long, and large steps that are rare or frequent.
 //
 // False alarms: 1e-9 per check, shared by its decisions.
-#include "lab/world_checks.h"
+#include "lab/engine.h"
 
 #include <gtest/gtest.h>
 
+#include "scenes/format/build_scene.h"
 #include "tests/support/expect.h"
 #include "tests/support/invariance.h"
 #include "tests/support/perturbation_rooms.h"
@@ -19,20 +20,18 @@ constexpr InvarianceOptions options{
     .samples = 10'000, .steps = 8, .seed = 7, .false_alarm = usual_false_alarm / 30};
 
 // How many of the kernels could be told to be right; none may be wrong.
-template <World W>
-int passed(const description::Scene& scene, const FamilySettings& settings) {
+int passed(const description::Scene& scene, const Dials& dials) {
   Session session;
   session.threads = 2;
   int count = 0;
-  check_family<W>(scene, make_family(settings, requires_of(scene)), options, Run(session),
-                  [&](const KernelCheck& check) {
-                    const Verdict verdict = verdict_of(check.report);
-                    EXPECT_NE(verdict, Verdict::failed)
-                        << check.name << " in " << scene.name << ": "
-                        << describe(check.report.one_step) << describe(check.report.many_steps)
-                        << describe(check.report.flux);
-                    count += verdict == Verdict::passed ? 1 : 0;
-                  });
+  check_mutations(
+      {scene, find_method("mlt"), dials}, options, Run(session), [&](const KernelCheck& check) {
+        const Verdict verdict = verdict_of(check.report);
+        EXPECT_NE(verdict, Verdict::failed)
+            << check.name << " in " << scene.name << ": " << describe(check.report.one_step)
+            << describe(check.report.many_steps) << describe(check.report.flux);
+        count += verdict == Verdict::passed ? 1 : 0;
+      });
   return count;
 }
 
@@ -45,7 +44,7 @@ INSTANTIATE_TEST_SUITE_P(Rooms, InFloat,
                          [](const auto& test) { return test.param.name; });
 
 TEST_P(InFloat, EveryMutationAndTheirMixtureLeaveTheTargetInvariant) {
-  EXPECT_GE(passed<FlatlandSingle>(GetParam().make(), {}), 4);
+  EXPECT_GE(passed(GetParam().make(), {.precision = Precision::of_float}), 4);
 }
 
 TEST(InFloat, AnInvertedRatioIsCaught) {
@@ -61,17 +60,19 @@ TEST(ShortAndLongMoves, LeaveTheTargetInvariant) {
     for (const double kernel : {0.01, 10.0}) {
       // The shortest change some functions of few paths alone.
       const int fewest = kernel < 1 ? 2 : 3;
-      EXPECT_GE(passed<Flatland>(make(), {small, default_large_step, kernel}), fewest) << kernel;
-      EXPECT_GE(passed<FlatlandSingle>(make(), {small, default_large_step, kernel}), fewest)
-          << kernel;
+      EXPECT_GE(passed(make(), {.mutations = small, .kernel = kernel}), fewest) << kernel;
+      const Dials single{.mutations = small, .precision = Precision::of_float, .kernel = kernel};
+      EXPECT_GE(passed(make(), single), fewest) << kernel;
     }
   }
 }
 
 TEST(RareAndFrequentLargeSteps, LeaveTheTargetInvariant) {
   for (const double large : {0.01, 0.99}) {
-    EXPECT_EQ(passed<Flatland>(diffuse_room(), {{{"primary", 1}}, large}), 3) << large;
-    EXPECT_EQ(passed<FlatlandSingle>(diffuse_room(), {{{"primary", 1}}, large}), 3) << large;
+    for (const Precision precision : precisions) {
+      const Dials dials{.mutations = {{"primary", 1}}, .precision = precision, .large_step = large};
+      EXPECT_EQ(passed(diffuse_room(), dials), 3) << large << ", " << name_of(precision);
+    }
   }
 }
 

@@ -4,8 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "lab/methods.h"
-#include "lab/tracers.h"
+#include "lab/method.h"
 #include "scenes/gallery_scenes.h"
 
 namespace wander::packaging {
@@ -22,10 +21,9 @@ Values values_of(std::string_view value) {
 
 std::vector<std::string> words_of(Values values, std::string_view verb) {
   std::vector<std::string> words;
-  const std::span<const std::string_view> methods =
-      verb == "trace" ? traced_methods() : method_names();
   if (values == Values::methods || values == Values::list_of_methods)
-    words.assign(methods.begin(), methods.end());
+    for (const Method& method : methods())
+      if (verb != "trace" || method.is_traced()) words.emplace_back(method.name);
   if (values == Values::gallery_names) words = gallery_names();
   if (values == Values::scenes)
     for (const std::string& name : gallery_names()) words.push_back("gallery:" + name);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "lab/compare/comparison.h"
-#include "lab/methods.h"
+#include "lab/engine.h"
 #include "lab/scene_source.h"
 #include "records/version.h"
 
@@ -40,13 +40,14 @@ inline compare::Comparison make_comparison(const ComparisonPlan& plan) {
       for (std::size_t c = 0; c < plan.methods.size(); ++c) {
         session.seed = 1 + (b * plan.replicates + r) * plan.methods.size() + c;
         session.budget = SampleBudget{plan.budgets[b]};
-        Rendering run = render(document.scene, plan.methods[c], {}, session);
+        Rendering run = render({document.scene, find_method(plan.methods[c])}, session);
         runs.runs.push_back(
             {c, b, r, run.seed, run.samples, run.seconds, run.seed_seconds, 0, run.film});
         if (b + 1 == plan.budgets.size() && r == 0) runs.details.push_back(std::move(run));
       }
   session.budget = SampleBudget{5 * plan.budgets.back()};
-  runs.reference = {render(document.scene, "bdpt", {}, session).film, "a long run of bdpt"};
+  runs.reference = {render({document.scene, find_method("bdpt")}, session).film,
+                    "a long run of bdpt"};
   return compare::summarize(std::move(runs));
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 Plan plan_of(const char* budgets) {
   return {.source = "box.json",
-          .entrants = {usual("bdpt"), usual("mlt")},
+          .entrants = line_up(parse_methods("bdpt,mlt"), {}, {}, std::nullopt),
           .budgets = parse_budgets(budgets),
           .replicates = 8};
 }

@@ -10,7 +10,7 @@ namespace {
 
 Plan plan_of(const char* budgets) {
   return {.source = "box.json",
-          .entrants = {usual("mlt")},
+          .entrants = line_up(parse_methods("mlt"), {}, {}, std::nullopt),
           .budgets = parse_budgets(budgets),
           .replicates = 8};
 }

@@ -1,0 +1,75 @@
+#include "lab/engine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "lab/replay.h"
+#include "lab/trace.h"
+#include "lab/worlds.h"
+
+namespace wander {
+
+namespace {
+
+template <World W>
+constexpr Engine engine_in() {
+  constexpr bool is_single = std::same_as<typename W::Real, float>;
+  return {.world = {W::dimension, is_single ? Precision::of_float : Precision::of_double},
+          .render = &render_in<W>,
+          .trace = &trace_in<W>,
+          .replay = &replay_in<W>,
+          .check = &check_in<W>};
+}
+
+// The worlds that are compiled in.
+constexpr std::array table{engine_in<Flatland>(), engine_in<FlatlandSingle>()};
+
+constexpr bool has(int dimension, Precision precision) {
+  return std::ranges::count(table, WorldKind{dimension, precision}, &Engine::world) == 1;
+}
+static_assert(std::ranges::all_of(precisions,
+                                  [](Precision precision) { return has(2, precision); }));
+
+const Engine& engine_of(const Job& job) {
+  return *std::ranges::find(table, job.world(), &Engine::world);  // Job has seen to it
+}
+
+}  // namespace
+
+std::span<const Engine> engines() { return table; }
+
+std::string why_no_engine(const WorldKind& world) {
+  if (has(world.dimension, world.precision)) return {};
+  return fmt::format("scenes of {} dimensions cannot be computed in precision {}", world.dimension,
+                     name_of(world.precision));
+}
+
+Rendering render(const Job& job, const Session& session) {
+  Session begun = session;
+  begun.begun = session.clock->now();
+  Rendering rendering = engine_of(job).render(job, begun);
+  rendering.precision = name_of(job.dials().precision);
+  return rendering;
+}
+
+Trace trace(const Job& job, const Session& session, const TraceRequest& request) {
+  if (!job.method().is_traced())
+    throw std::logic_error(fmt::format("{} has no state that is one path", job.method().name));
+  return engine_of(job).trace(job, session, request);
+}
+
+Replay replay(const Job& job, const Session& session, int chain, std::uint64_t step) {
+  if (!job.method().is_replayed())
+    throw std::logic_error(fmt::format("{} proposes no step in path space", job.method().name));
+  return engine_of(job).replay(job, session, chain, step);
+}
+
+void check_mutations(const Job& job, const InvarianceOptions& options, const Run& run,
+                     const KernelChecked& done) {
+  engine_of(job).check(job, options, run, done);
+}
+
+}  // namespace wander

@@ -1,0 +1,53 @@
+// What computes a job: the one place where a world is chosen (engine.cpp holds the table of those
+// that are compiled in).
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+
+#include "lab/job.h"
+#include "mlt/check/kernel_check.h"
+#include "mlt/run/chain_settings.h"
+#include "records/rendering.h"
+#include "work/session.h"
+
+namespace wander {
+
+struct Replay;        // lab/replay.h
+struct Trace;         // lab/trace.h
+struct TraceRequest;  // lab/trace.h
+
+using KernelChecked = std::function<void(KernelCheck)>;
+
+// All that one world can do.
+struct Engine {
+  WorldKind world;
+  Rendering (*render)(const Job&, const Session&);
+  Trace (*trace)(const Job&, const Session&, const TraceRequest&);
+  Replay (*replay)(const Job&, const Session&, int chain, std::uint64_t step);
+  void (*check)(const Job&, const InvarianceOptions&, const Run&, const KernelChecked&);
+};
+
+std::span<const Engine> engines();
+// Empty if there is an engine for such a world.
+std::string why_no_engine(const WorldKind& world);
+
+// Throws std::runtime_error; NoLightFound where chains find nothing to start from.
+Rendering render(const Job& job, const Session& session);
+
+// As many chains can be told apart, and traced, as render() runs.
+inline constexpr int most_traced_chains = ChainSettings{}.groups * ChainSettings{}.chains_per_group;
+
+// The method is_traced(); the budget of the session is that of the request.  Throws NoLightFound and
+// NothingComputed.
+Trace trace(const Job& job, const Session& session, const TraceRequest& request);
+// The method is_replayed().
+Replay replay(const Job& job, const Session& session, int chain, std::uint64_t step);
+
+// Does each mutation of the job leave the target invariant?  Calls done(check) for each, and for
+// their mixture.
+void check_mutations(const Job& job, const InvarianceOptions& options, const Run& run,
+                     const KernelChecked& done);
+
+}  // namespace wander

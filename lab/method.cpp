@@ -1,0 +1,154 @@
+#include "lab/method.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/requirements.h"
+#include "lab/failure.h"
+#include "lab/nearest.h"
+
+namespace wander {
+
+namespace {
+
+using enum DialId;
+constexpr DialSet of_all{max_vertices, precision};
+constexpr DialSet of_chains = of_all | DialSet{seed_share, normalization, large_step, kernel};
+constexpr DialSet of_mlt = of_chains | DialSet{mutations, chains};
+constexpr DialSet of_pssmlt = of_chains | DialSet{estimator, chains};
+// There is one chain for each path length in each group.
+constexpr DialSet of_mmlt = of_chains | DialSet{estimator};
+
+std::string_view never(const description::Scene&) { return {}; }
+std::string_view through_a_camera(const description::Scene& scene) {
+  if (!scene.camera) return {};
+  return "cannot see through a camera: its light paths must hit the sensor by chance, and no path "
+         "hits a pinhole, nor a lens, which is no surface of the scene; use lt, or a sensor shape";
+}
+// The camera is reached by connections alone, which mirrors and smooth glass forbid.
+std::string_view mirrors_seen_by_a_camera(const description::Scene& scene) {
+  if (!scene.camera || !requires_of(scene).specular) return {};
+  return "cannot find paths that reach the camera from a mirror or from smooth glass";
+}
+
+constexpr std::array table{
+    Method{.id = MethodId::pt,
+           .name = "pt",
+           .summary = "path tracing from the sensor, with next-event estimation",
+           .state = ChainState::none,
+           .dials = of_all,
+           .check = CheckRole::compared,
+           .makes_references = true,
+           .why_impossible = never,
+           .why_blind = never},
+    Method{.id = MethodId::lt,
+           .name = "lt",
+           .summary = "light tracing from the lights, with next-event estimation",
+           .state = ChainState::none,
+           .dials = of_all,
+           .check = CheckRole::compared,
+           .makes_references = true,
+           .why_impossible = never,
+           .why_blind = mirrors_seen_by_a_camera},
+    Method{.id = MethodId::bdpt,
+           .name = "bdpt",
+           .summary = "bidirectional path tracing",
+           .state = ChainState::none,
+           .dials = of_all,
+           .check = CheckRole::reference,
+           .makes_references = true,
+           .why_impossible = never,
+           .why_blind = never},
+    Method{.id = MethodId::mlt,
+           .name = "mlt",
+           .summary = "Metropolis light transport in path space, all mutations",
+           .state = ChainState::path,
+           .dials = of_mlt,
+           .check = CheckRole::compared,
+           .makes_references = true,
+           .why_impossible = never,
+           .why_blind = never},
+    Method{.id = MethodId::pssmlt,
+           .name = "pssmlt",
+           .summary = "Metropolis in primary sample space, whole bidirectional samples (Kelemen)",
+           .state = ChainState::numbers_of_sample,
+           .dials = of_pssmlt,
+           .makes_references = true,
+           .usual_estimator = StepEstimator::kelemen,  // as published
+           .why_impossible = never,
+           .why_blind = never},
+    Method{.id = MethodId::mmlt,
+           .name = "mmlt",
+           .summary = "multiplexed Metropolis: primary sample space, a chain for each path length",
+           .state = ChainState::numbers_of_path,
+           .dials = of_mmlt,
+           .makes_references = true,
+           .why_impossible = never,
+           .why_blind = never},
+    Method{.id = MethodId::pt_naive,
+           .name = "pt-naive",
+           .summary = "path tracing that must hit a light",
+           .state = ChainState::none,
+           .dials = of_all,
+           .why_impossible = never,
+           .why_blind = never},
+    Method{.id = MethodId::lt_naive,
+           .name = "lt-naive",
+           .summary = "light tracing that must hit the sensor",
+           .state = ChainState::none,
+           .dials = of_all,
+           .why_impossible = through_a_camera,
+           .why_blind = never},
+};
+
+constexpr bool is_in_order() {
+  for (std::size_t i = 0; i < table.size(); ++i)
+    if (table[i].id != static_cast<MethodId>(i)) return false;
+  return true;
+}
+static_assert(table.size() == static_cast<std::size_t>(MethodId::lt_naive) + 1 && is_in_order());
+static_assert(std::ranges::all_of(table, [](const Method& m) {
+  return !m.name.empty() && !m.summary.empty() && m.why_impossible && m.why_blind;
+}));
+static_assert(std::ranges::count(table, CheckRole::reference, &Method::check) == 1);
+static_assert(std::ranges::any_of(table, [](const Method& m) { return m.is_traced(); }));
+
+}  // namespace
+
+std::span<const Method> methods() { return table; }
+
+const Method& method_of(MethodId id) { return table[static_cast<std::size_t>(id)]; }
+
+const Method& find_method(std::string_view name) {
+  std::vector<std::string_view> known;
+  for (const Method& method : table) {
+    if (method.name == name) return method;
+    known.push_back(method.name);
+  }
+  throw UsageError(unknown_word("method", name, known));
+}
+
+std::string in_words(std::span<const Method* const> methods, std::string_view last_link) {
+  std::string text;
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    if (i > 0) text += i + 1 < methods.size() ? ", " : fmt::format(" {} ", last_link);
+    text += methods[i]->name;
+  }
+  return text;
+}
+
+const Method& reference_method() {
+  return *std::ranges::find(table, CheckRole::reference, &Method::check);
+}
+
+std::vector<const Method*> checked_methods() {
+  return methods_that([](const Method& m) { return m.check == CheckRole::compared; });
+}
+
+std::vector<const Method*> traced_methods() {
+  return methods_that([](const Method& m) { return m.is_traced(); });
+}
+
+}  // namespace wander
