@@ -2,9 +2,11 @@
 // and bidirectional path tracing are the same estimator with different techniques.
 #pragma once
 
+#include <memory>
+
 #include "core/path_sampler.h"
-#include "records/rendering.h"
-#include "work/session.h"
+#include "lab/live_run.h"
+#include "work/parallel.h"
 
 namespace wander {
 
@@ -18,6 +20,11 @@ struct Estimator {
 // pt, lt, bdpt, and the forms of Kajiya 1986 and Arvo 1990 without connections, pt-naive, lt-naive.
 std::span<const Estimator> estimators();
 
+template <World W>
+std::unique_ptr<LiveRun> make_estimate(const Scene<W>& scene, const Estimator& estimator,
+                                       const Run& execution);
+
+// Such a run, to the end of the session's budget.
 template <World W>
 Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Session& session);
 

@@ -6,6 +6,7 @@
 
 #include "core/description.h"
 #include "lab/dials.h"
+#include "lab/drive.h"
 #include "records/rendering.h"
 #include "work/session.h"
 
@@ -24,5 +25,10 @@ bool sees_all_light(std::string_view method, const description::Scene& scene);
 // UsageError if the scene does not fit into the precision, and std::runtime_error.
 Rendering render(const description::Scene& scene, std::string_view method, const Dials& dials,
                  const Session& session);
+
+// The same, from where a run was kept, which was of the same scene, method, dials and seed.  What it
+// has taken of the budget counts.  Throws CommandFailure where its state cannot be read.
+Rendering carry_on(const KeptRun& from, const description::Scene& scene, std::string_view method,
+                   const Dials& dials, const Session& session, const Keeper& keeper);
 
 }  // namespace wander

@@ -1,5 +1,6 @@
-// The methods of `render` in one world: light transport is written for any precision, and each
-// precision is made in a file of its own (world_methods_float.cpp, world_methods_double.cpp).
+// The methods of `render` in one world, each as a run: light transport is written for any
+// precision, and each precision is made in a file of its own (world_methods_float.cpp,
+// world_methods_double.cpp).
 #pragma once
 
 #include <algorithm>
@@ -18,38 +19,45 @@ namespace wander {
 template <World W>
 class WorldMethods {
  public:
-  WorldMethods(const description::Scene& description, const Dials& dials, const Session& session)
+  // A run that is made goes on as long as these methods and `execution` are there.
+  WorldMethods(const description::Scene& description, const Dials& dials, const Run& execution)
       : description_(description),
         dials_(dials),
-        session_(session),
-        scene_(build_flatland<W>(description)) {}
+        execution_(execution),
+        scene_(build_flatland<W>(description)),
+        space_(*scene_, Roulette::off) {}
 
-  Rendering render(std::string_view method) const {
+  std::unique_ptr<LiveRun> make(std::string_view method) const {
     for (const Estimator& estimator : estimators())
-      if (method == estimator.name) return estimated(estimator);
-    const Space space(*scene_, Roulette::off);
-    if (method == "pssmlt") return primary<PssmltGroup>(space, "pssmlt");
-    if (method == "mmlt") return primary<MmltGroup>(space, "mmlt");
+      if (method == estimator.name) return make_estimate(*scene_, estimator, execution_);
+    if (method == "pssmlt") return primary<PssmltGroup>("pssmlt");
+    if (method == "mmlt") return primary<MmltGroup>("mmlt");
     const Family family = make_family(dials_.family(), requires_of(description_));
-    return ChainRenderer(space, family, session_, dials_.chains).render("mlt");
+    return std::make_unique<ChainRun<Space, PathGroup<Space, Family>>>("mlt", space_, family,
+                                                                       execution_, settings());
+  }
+
+  // What there is to say against the film of a run that has come to its end.
+  void doubt(Rendering& rendering) const {
+    for (const Estimator& estimator : estimators()) {
+      if (rendering.method != estimator.name) continue;
+      warn_if_dark(rendering);
+      warn_if_blind(rendering);
+    }
   }
 
  private:
   using Space = Transport<W>;
 
-  Rendering estimated(const Estimator& estimator) const {
-    Rendering rendering = estimate(*scene_, estimator, session_);
-    warn_if_dark(rendering);
-    warn_if_blind(rendering);
-    return rendering;
-  }
+  ChainSettings settings() const { return fitted(dials_.chains, execution_.session().budget); }
 
   template <template <class S, class SmallStep, class Estimator> class Chains>
-  Rendering primary(const Space& space, const char* method) const {
+  std::unique_ptr<LiveRun> primary(const char* method) const {
     const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials_.kernel), dials_.large_step};
-    const auto with = [&]<class Estimator>(Estimator) {
+    const auto with = [&]<class Estimator>(Estimator) -> std::unique_ptr<LiveRun> {
       using Group = Chains<Space, Kelemen, Estimator>;
-      return ChainRenderer<Space, Group>(space, kernel, session_, dials_.chains).render(method);
+      return std::make_unique<ChainRun<Space, Group>>(method, space_, kernel, execution_,
+                                                      settings());
     };
     const StepEstimator estimator =
         dials_.estimator == StepEstimator::usual ? usual_estimator(method) : dials_.estimator;
@@ -73,8 +81,9 @@ class WorldMethods {
 
   const description::Scene& description_;
   const Dials& dials_;
-  const Session& session_;
+  const Run& execution_;
   std::unique_ptr<const Scene<W>> scene_;
+  Space space_;
 };
 
 extern template class WorldMethods<FlatlandSingle>;
