@@ -1,10 +1,13 @@
 #include "lab/checkpoint.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
 
 #include "lab/failure.h"
 #include "records/atomic_file.h"
@@ -25,6 +28,27 @@ constexpr std::string_view anew =
 
 [[noreturn]] void refuse(const fs::path& file, std::string_view what) {
   throw RunFileError(fmt::format("{}: {}{}", file.string(), what, anew));
+}
+
+// States are mostly zeros, of what has not yet happened.
+std::string packed(const std::string& state) {
+  uLongf size = compressBound(static_cast<uLong>(state.size()));
+  std::string bytes(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                reinterpret_cast<const Bytef*>(state.data()), static_cast<uLong>(state.size()),
+                Z_BEST_SPEED) != Z_OK)
+    throw std::runtime_error("the state of the run cannot be compressed");
+  bytes.resize(size);
+  return bytes;
+}
+// Into so many bytes; none if they are not what is packed there.
+std::optional<std::string> unpacked(std::string_view bytes, std::size_t size) {
+  std::string state(size, '\0');
+  auto found = static_cast<uLongf>(size);
+  const int result =
+      uncompress(reinterpret_cast<Bytef*>(state.data()), &found,
+                 reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()));
+  return result == Z_OK && found == size ? std::optional(std::move(state)) : std::nullopt;
 }
 
 ordered_json header_of(const Checkpoint& c) {
@@ -94,7 +118,7 @@ void write_checkpoint(const Checkpoint& checkpoint, const fs::path& directory) {
   const std::string header =
       header_of(checkpoint).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
   write_file(checkpoint_in(directory),
-             sealed(fmt::format("{}\n{}\n{}", format, header, checkpoint.run.state)));
+             sealed(fmt::format("{}\n{}\n{}", format, header, packed(checkpoint.run.state))));
 }
 
 Checkpoint read_checkpoint(const fs::path& directory) {
@@ -117,7 +141,9 @@ Checkpoint read_checkpoint(const fs::path& directory) {
                                program_version()));
     Checkpoint checkpoint = from_header(header);
     checkpoint.turned();
-    checkpoint.run.state = bytes;
+    auto state = unpacked(bytes, header.at("state_bytes").get<std::size_t>());
+    if (!state) refuse(file, "its state cannot be read");
+    checkpoint.run.state = *std::move(state);
     return checkpoint;
   } catch (const ordered_json::exception& problem) {
     refuse(file, fmt::format("its header cannot be read ({})", problem.what()));

@@ -3,7 +3,7 @@
 //   "wanderlight-checkpoint/1\n" HEADER "\n" STATE SEAL
 //
 // HEADER is one line of JSON: what was asked for, with the text of the scene, and how far the run
-// has come.  STATE is read by the version of the program that wrote it.
+// has come.  STATE, compressed by zlib, is read by the version of the program that wrote it.
 #pragma once
 
 #include <filesystem>
