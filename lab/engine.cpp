@@ -18,7 +18,7 @@ template <World W>
 constexpr Engine engine_in() {
   constexpr bool is_single = std::same_as<typename W::Real, float>;
   return {.world = {W::dimension, is_single ? Precision::of_float : Precision::of_double},
-          .render = &render_in<W>,
+          .carry_on = &carry_on_in<W>,
           .trace = &trace_in<W>,
           .replay = &replay_in<W>,
           .check = &check_in<W>};
@@ -47,10 +47,15 @@ std::string why_no_engine(const WorldKind& world) {
                      name_of(world.precision));
 }
 
-Rendering render(const Job& job, const Session& session) {
+Rendering render(const Job& job, const Session& session) { return carry_on({}, job, session, {}); }
+
+Rendering carry_on(const KeptRun& from, const Job& job, const Session& session,
+                   const Keeper& keeper) {
   Session begun = session;
   begun.begun = session.clock->now();
-  Rendering rendering = engine_of(job).render(job, begun);
+  begun.begun->wall -= from.headway.wall_seconds;
+  begun.begun->processor -= from.headway.processor_seconds;
+  Rendering rendering = engine_of(job).carry_on(from, job, begun, keeper);
   rendering.precision = name_of(job.dials().precision);
   return rendering;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "lab/drive.h"
 #include "lab/job.h"
 #include "mlt/check/kernel_check.h"
 #include "mlt/run/chain_settings.h"
@@ -23,7 +24,7 @@ using KernelChecked = std::function<void(KernelCheck)>;
 // All that one world can do.
 struct Engine {
   WorldKind world;
-  Rendering (*render)(const Job&, const Session&);
+  Rendering (*carry_on)(const KeptRun&, const Job&, const Session&, const Keeper&);
   Trace (*trace)(const Job&, const Session&, const TraceRequest&);
   Replay (*replay)(const Job&, const Session&, int chain, std::uint64_t step);
   void (*check)(const Job&, const InvarianceOptions&, const Run&, const KernelChecked&);
@@ -35,6 +36,10 @@ std::string why_no_engine(const WorldKind& world);
 
 // Throws std::runtime_error; NoLightFound where chains find nothing to start from.
 Rendering render(const Job& job, const Session& session);
+// The same, from where a run of this job and seed was kept.  What it has taken of the budget counts.
+// Throws CommandFailure where its state cannot be read.
+Rendering carry_on(const KeptRun& from, const Job& job, const Session& session,
+                   const Keeper& keeper);
 
 // As many chains can be told apart, and traced, as render() runs.
 inline constexpr int most_traced_chains = ChainSettings{}.groups * ChainSettings{}.chains_per_group;

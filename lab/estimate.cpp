@@ -3,6 +3,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "lab/drive.h"
 #include "lab/sample_film.h"
 
 namespace wander {
@@ -35,22 +36,36 @@ const Estimator& estimator_of(const Method& method) {
 }
 
 template <World W>
-Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Session& session) {
-  const Transport<W> transport(scene, estimator.roulette);
+std::unique_ptr<LiveRun> make_estimate(const Scene<W>& scene, const Estimator& estimator,
+                                       const Run& execution) {
+  using Space = Transport<W>;
+  const auto transport = std::make_shared<const Space>(scene, estimator.roulette);
   const auto make = [&]() -> FilmSampler {
-    return [&, sampler =
-                   PathSampler<Transport<W>>(transport, estimator.techniques, estimator.heuristic)](
+    return [transport,
+            sampler = PathSampler<Space>(*transport, estimator.techniques, estimator.heuristic)](
                Rng& rng, SampleFilm& film) mutable {
       sampler.sample(rng, [&](const Path<W>& path, int s, double weighted) {
-        film.add(path.size(), s, transport.bin(path), weighted);
+        film.add(path.size(), s, transport->bin(path), weighted);
       });
     };
   };
-  return sample_film(estimator.name, scene.resolution(), scene.max_vertices(), session, make);
+  return make_sample_run(estimator.name, scene.resolution(), scene.max_vertices(), execution, make);
 }
 
+template <World W>
+Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Session& session) {
+  Run execution(session);
+  return drive(*make_estimate(scene, estimator, execution), execution);
+}
+
+template std::unique_ptr<LiveRun> make_estimate(const Scene<Flatland>&, const Estimator&,
+                                                const Run&);
 template Rendering estimate(const Scene<Flatland>&, const Estimator&, const Session&);
+template std::unique_ptr<LiveRun> make_estimate(const Scene<FlatlandSingle>&, const Estimator&,
+                                                const Run&);
 template Rendering estimate(const Scene<FlatlandSingle>&, const Estimator&, const Session&);
+template std::unique_ptr<LiveRun> make_estimate(const Scene<Spaceland>&, const Estimator&,
+                                                const Run&);
 template Rendering estimate(const Scene<Spaceland>&, const Estimator&, const Session&);
 
 }  // namespace wander

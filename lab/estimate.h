@@ -2,10 +2,12 @@
 // and bidirectional path tracing are the same estimator with different techniques.
 #pragma once
 
+#include <memory>
+
 #include "core/path_sampler.h"
+#include "lab/live_run.h"
 #include "lab/method.h"
-#include "records/rendering.h"
-#include "work/session.h"
+#include "work/parallel.h"
 
 namespace wander {
 
@@ -21,6 +23,11 @@ std::span<const Estimator> estimators();
 // Of a method by independent samples.
 const Estimator& estimator_of(const Method& method);
 
+template <World W>
+std::unique_ptr<LiveRun> make_estimate(const Scene<W>& scene, const Estimator& estimator,
+                                       const Run& execution);
+
+// Such a run, to the end of the session's budget.
 template <World W>
 Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Session& session);
 

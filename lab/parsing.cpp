@@ -208,6 +208,14 @@ double parse_positive(std::string_view what, std::string_view text, double most)
   return *number;
 }
 
+double parse_checkpoint_interval(std::string_view text) {
+  const auto seconds = number_in<double>(text);
+  if (seconds && *seconds >= 0 && *seconds <= 1e6) return *seconds;
+  throw UsageError(fmt::format(
+      "--checkpoint '{}': allowed are seconds, such as 60, up to 1e6; 0 keeps no checkpoint",
+      text));
+}
+
 Precision parse_precision(std::string_view text) {
   std::vector<std::string_view> words;
   for (const Precision precision : precisions) {

@@ -34,6 +34,8 @@ NormalizationMethod parse_normalization(std::string_view text);
 
 // A number above zero, and no larger than `most`.
 double parse_positive(std::string_view what, std::string_view text, double most);
+// Seconds between two checkpoints; 0: none are kept.
+double parse_checkpoint_interval(std::string_view text);
 // `float` or `double`.
 Precision parse_precision(std::string_view text);
 // A share of steps, above 0 and below 1.

@@ -1,14 +1,13 @@
 #include "lab/sample_film.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cereal/archives/binary.hpp>
+#include <cereal/types/vector.hpp>
 #include <limits>
+#include <optional>
 #include <vector>
 
-#include "core/film_statistics.h"
-#include "work/pace.h"
-#include "work/parallel.h"
-#include "work/stopping_rule.h"
+#include "lab/drive.h"
 
 namespace wander {
 
@@ -25,113 +24,93 @@ struct Slot {
   SampleFilm film;
 };
 
-struct Limit {
-  std::uint64_t samples;
-  double seconds, error;
-
-  explicit Limit(const Budget& budget)
-      : samples(std::numeric_limits<std::uint64_t>::max()),
-        seconds(std::numeric_limits<double>::infinity()),
-        error(0) {
-    if (const auto* count = std::get_if<SampleBudget>(&budget)) samples = count->samples;
-    if (const auto* time = std::get_if<TimeBudget>(&budget)) seconds = time->seconds;
-    if (const auto* target = std::get_if<ErrorBudget>(&budget)) error = target->relative;
-  }
-  double fraction(std::uint64_t done, double elapsed) const {
-    return std::max(static_cast<double>(done) / static_cast<double>(samples), elapsed / seconds);
-  }
-};
-
-// Of samples, rounded up to whole units: when to look at the error, if that is the budget.
-class Looks {
- public:
-  Looks(const Limit& limit, std::uint64_t per_unit)
-      : limit_(limit), per_unit_(per_unit), goal_(limit.error > 0 ? first : limit.samples) {}
-
-  std::uint64_t goal() const { return limit_.error > 0 ? up_to_whole_units() : goal_; }
-  // Has the film come to its end?  Else the goal is moved.
-  bool is_done(const SampleFilm& film, std::span<const int> shape) {
-    if (!(limit_.error > 0)) return true;
-    error_ = relative_error(film.estimate(shape));
-    if (error_ <= limit_.error) return true;
-    if (!std::isfinite(error_) && film.samples() >= samples_in_the_dark) return true;
-    goal_ = next_look(film.samples(), error_, limit_.error);
-    return false;
-  }
-  double fraction() const {
-    return std::isfinite(error_) ? std::min(1.0, limit_.error * limit_.error / (error_ * error_))
-                                 : 0;
-  }
-
- private:
-  static constexpr std::uint64_t first = 1 << 16;
-
-  std::uint64_t up_to_whole_units() const { return ((goal_ - 1) / per_unit_ + 1) * per_unit_; }
-
-  const Limit& limit_;
-  std::uint64_t per_unit_, goal_;
-  double error_ = std::numeric_limits<double>::infinity();
-};
-
 int bins_of(std::span<const int> shape) {
   int bins = 1;
   for (const int extent : shape) bins *= extent;
   return bins;
 }
 
+// When a budget of time is spent.
+double end_of(const Budget& budget) {
+  const auto* time = std::get_if<TimeBudget>(&budget);
+  return time ? time->seconds : std::numeric_limits<double>::infinity();
+}
+
 // The film under way.  A sample is known by its number, so units can be of any length.
-class Sampling {
+//
+// What is found shall not depend on where the run was stopped: the film is that of whole units,
+// merged one by one, and of one that is not yet whole, which is made anew when the run goes on.
+class SampleRun final : public LiveRun {
  public:
-  Sampling(Run& run, std::span<const int> shape, int max_vertices,
-           const std::function<FilmSampler()>& make)
-      : run_(run),
-        shape_(shape),
-        limit_(run.session().budget),
+  SampleRun(const char* method, std::span<const int> shape, int max_vertices, const Run& run,
+            const std::function<FilmSampler()>& make)
+      : method_(method),
+        run_(run),
+        shape_(shape.begin(), shape.end()),
+        max_vertices_(max_vertices),
         per_unit_(samples_per_unit(bins_of(shape))),
         film_(bins_of(shape), max_vertices) {
     for (int i = 0; i < slots_of(run); ++i)
       slots_.push_back({make(), {bins_of(shape), max_vertices}});
   }
 
-  // As many samples as were asked for, or as the error takes.
-  void to_the_goal() {
-    Looks looks(limit_, per_unit_);
-    do {
-      fraction_of_error_ = looks.fraction();
-      extend_to(looks.goal(), per_unit_);
-    } while (!run_.is_interrupted() && !looks.is_done(film_, shape_));
+  void advance(std::uint64_t samples) override {
+    const std::uint64_t end = this->samples() + samples;
+    open_.reset();
+    extend_to(end, per_unit_);
   }
-
-  // As many samples as there is time for.
-  void until_time_is_up() {
+  void advance_freely(std::uint64_t samples) override {
+    if (open_) film_.merge(*open_);
+    open_.reset();
     const auto threads = static_cast<std::uint64_t>(run_.threads());
-    Pace pace(run_.spent(), limit_.seconds, units_per_round * threads * per_unit_);
-    for (double now = run_.spent(); film_.samples() == 0 || !pace.is_over(now);
-         now = run_.spent()) {
-      const std::uint64_t count = pace.next(now, film_.samples());
-      const std::uint64_t unit =
-          std::clamp(count / (fewest_units * threads), per_unit_ / fewest_units / 4, per_unit_);
-      const bool is_first = film_.samples() == 0;
-      extend_to(film_.samples() + count, unit);
-      if (run_.is_interrupted()) return;
-      if (is_first) pace.end_at(limit_.seconds - time_of_an_estimate());
-    }
+    const std::uint64_t unit =
+        std::clamp(samples / (fewest_units * threads), per_unit_ / fewest_units / 4, per_unit_);
+    extend_to(film_.samples() + samples, unit);
+    if (open_) film_.merge(*open_);
+    open_.reset();
+  }
+  std::uint64_t samples() const override {
+    return film_.samples() + (open_ ? open_->samples() : 0);
+  }
+  std::uint64_t stride() const override {
+    return units_per_stride * static_cast<std::uint64_t>(run_.threads()) * per_unit_;
+  }
+  std::uint64_t first_look() const override { return 1 << 16; }
+  // At the end of a unit.
+  std::uint64_t rest(std::uint64_t samples) const override {
+    return ((samples - 1) / per_unit_ + 1) * per_unit_;
   }
 
-  const SampleFilm& film() const { return film_; }
-  bool is_complete() const {
-    return std::holds_alternative<SampleBudget>(run_.session().budget)
-               ? film_.samples() == limit_.samples
-               : !run_.is_interrupted();
+  FilmEstimate preview() const override {
+    if (!open_) return film_.estimate(shape_);
+    SampleFilm film = film_;
+    film.merge(*open_);
+    return film.estimate(shape_);
+  }
+  Rendering findings() const override {
+    return {.method = method_, .samples = samples(), .film = preview()};
+  }
+
+  void save(cereal::BinaryOutputArchive& archive) const override {
+    archive(film_, open_.has_value());
+    if (open_) archive(*open_);
+  }
+  void load(cereal::BinaryInputArchive& archive) override {
+    bool has_open = false;
+    archive(film_, has_open);
+    open_.reset();
+    if (has_open) archive(open_.emplace(bins_of(shape_), max_vertices_));
   }
 
  private:
-  static constexpr std::uint64_t units_per_round = 64, fewest_units = 16;  // of each thread
+  static constexpr std::uint64_t units_per_stride = 64, fewest_units = 16;  // of each thread
 
   void extend_to(std::uint64_t end, std::uint64_t per_unit) {
     const std::uint64_t first = film_.samples();
+    if (first == end) return;
+    const double time = end_of(run_.session().budget);
     const auto more = [&](std::uint64_t unit) {
-      return !run_.is_interrupted() && (unit == 0 || run_.spent() < limit_.seconds);
+      return !run_.is_interrupted() && (unit == 0 || run_.spent() < time);
     };
     const auto work = [&](std::uint64_t unit, int index) {
       Slot& slot = slots_[static_cast<std::size_t>(index)];
@@ -145,47 +124,39 @@ class Sampling {
       }
     };
     const auto merge = [&](std::uint64_t, int index) {
-      film_.merge(slots_[static_cast<std::size_t>(index)].film);
-      const double fraction =
-          std::max(fraction_of_error_, limit_.fraction(film_.samples(), run_.spent()));
-      run_.report({fraction, film_.samples(), run_.seconds(), "sampling"});
+      const SampleFilm& made = slots_[static_cast<std::size_t>(index)].film;
+      if (made.samples() < per_unit)
+        open_ = made;
+      else
+        film_.merge(made);
+      tell(samples());
     };
     run_in_order(run_, {(end - first - 1) / per_unit + 1, more, work, merge});
   }
-  double time_of_an_estimate() const {
-    const double before = run_.spent();
-    film_.estimate(shape_);
-    return run_.spent() - before;
-  }
 
-  Run& run_;
-  std::span<const int> shape_;
-  Limit limit_;
+  const char* method_;
+  const Run& run_;
+  std::vector<int> shape_;
+  int max_vertices_;
   std::uint64_t per_unit_;
-  SampleFilm film_;
+  SampleFilm film_;                 // of whole units
+  std::optional<SampleFilm> open_;  // of the one that is not yet whole
   std::vector<Slot> slots_;
-  double fraction_of_error_ = 0;
 };
 
 }  // namespace
 
+std::unique_ptr<LiveRun> make_sample_run(const char* method, std::span<const int> shape,
+                                         int max_vertices, const Run& execution,
+                                         const std::function<FilmSampler()>& make) {
+  return std::make_unique<SampleRun>(method, shape, max_vertices, execution, make);
+}
+
 Rendering sample_film(const char* method, std::span<const int> shape, int max_vertices,
                       const Session& session, const std::function<FilmSampler()>& make) {
-  Run run(session);
-  Sampling sampling(run, shape, max_vertices, make);
-  if (std::holds_alternative<TimeBudget>(session.budget))
-    sampling.until_time_is_up();
-  else
-    sampling.to_the_goal();
-  Rendering rendering{.complete = sampling.is_complete(),
-                      .method = method,
-                      .samples = sampling.film().samples(),
-                      .seed = session.seed,
-                      .threads = run.threads(),
-                      .film = sampling.film().estimate(shape)};
-  rendering.seconds = run.seconds();
-  rendering.processor_seconds = run.processor_seconds();
-  return rendering;
+  Run execution(session);
+  SampleRun run(method, shape, max_vertices, execution, make);
+  return drive(run, execution);
 }
 
 }  // namespace wander

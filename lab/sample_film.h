@@ -1,14 +1,15 @@
-// The loop that all estimators by independent samples share: samples in units, units in parallel,
-// their films merged in order, until the budget is spent.
+// The run that all estimators by independent samples share: samples in units, units in parallel,
+// their films merged in order.
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 
 #include "core/film.h"
 #include "core/rng.h"
-#include "records/rendering.h"
-#include "work/session.h"
+#include "lab/live_run.h"
+#include "work/parallel.h"
 
 namespace wander {
 
@@ -16,6 +17,11 @@ namespace wander {
 using FilmSampler = std::function<void(Rng& rng, SampleFilm& film)>;
 
 // Every unit that works at the same time has a sampler of its own, made by `make`.
+std::unique_ptr<LiveRun> make_sample_run(const char* method, std::span<const int> shape,
+                                         int max_vertices, const Run& execution,
+                                         const std::function<FilmSampler()>& make);
+
+// Such a run, to the end of the session's budget.
 Rendering sample_film(const char* method, std::span<const int> shape, int max_vertices,
                       const Session& session, const std::function<FilmSampler()>& make);
 

@@ -1,4 +1,4 @@
-// The methods of `render` in one world: light transport is written for any precision, and each
+// The methods of `render` in one world, each as a run: light transport is written for any precision, and each
 // precision is made in a file of its own (world_methods_float.cpp, world_methods_double.cpp).
 #pragma once
 
@@ -8,7 +8,9 @@
 #include <memory>
 #include <stdexcept>
 
+#include "lab/drive.h"
 #include "lab/estimate.h"
+#include "lab/failure.h"
 #include "lab/render.h"
 #include "lab/worlds.h"
 #include "mlt/run/mmlt_group.h"
@@ -21,17 +23,21 @@ namespace wander {
 template <World W>
 class WorldMethods {
  public:
-  WorldMethods(const Job& job, const Session& session)
-      : job_(job), session_(session), scene_(build_flatland<W>(job.scene())) {}
+  // A run that is made goes on as long as these methods and `execution` are there.
+  WorldMethods(const Job& job, const Run& execution)
+      : job_(job),
+        execution_(execution),
+        scene_(build_flatland<W>(job.scene())),
+        space_(*scene_, Roulette::off) {}
 
-  Rendering render() const {
+  std::unique_ptr<LiveRun> make() const {
     switch (const Method& method = job_.method(); method.id) {
       case MethodId::pt:
       case MethodId::lt:
       case MethodId::bdpt:
       case MethodId::pt_naive:
       case MethodId::lt_naive:
-        return estimated(estimator_of(method));
+        return make_estimate(*scene_, estimator_of(method), execution_);
       case MethodId::mlt:
         return in_path_space();
       case MethodId::pssmlt:
@@ -42,31 +48,35 @@ class WorldMethods {
     throw std::logic_error("a method that is not of the table");
   }
 
+  // What there is to say against the film of a run that has come to its end.
+  void doubt(Rendering& rendering) const {
+    if (job_.method().is_markov_chain()) return;
+    warn_if_dark(rendering);
+    warn_if_blind(rendering);
+  }
+
  private:
   using Space = Transport<W>;
 
-  Rendering estimated(const Estimator& estimator) const {
-    Rendering rendering = estimate(*scene_, estimator, session_);
-    warn_if_dark(rendering);
-    warn_if_blind(rendering);
-    return rendering;
+  const char* name() const { return job_.method().name.data(); }
+  ChainSettings settings() const {
+    return fitted(job_.dials().chains, execution_.session().budget);
   }
 
-  Rendering in_path_space() const {
-    const Space space(*scene_, Roulette::off);
-    return ChainRenderer(space, job_.family(), session_, job_.dials().chains)
-        .render(job_.method().name.data());
+  std::unique_ptr<LiveRun> in_path_space() const {
+    using Group = PathGroup<Space, Family>;
+    return std::make_unique<ChainRun<Space, Group>>(name(), space_, job_.family(), execution_,
+                                                    settings());
   }
 
   template <template <class S, class SmallStep, class Estimator> class Chains>
-  Rendering in_primary_space() const {
-    const Space space(*scene_, Roulette::off);
+  std::unique_ptr<LiveRun> in_primary_space() const {
     const Dials& dials = job_.dials();
     const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials.kernel), dials.large_step};
-    const auto with = [&]<class Estimator>(Estimator) {
+    const auto with = [&]<class Estimator>(Estimator) -> std::unique_ptr<LiveRun> {
       using Group = Chains<Space, Kelemen, Estimator>;
-      return ChainRenderer<Space, Group>(space, kernel, session_, dials.chains)
-          .render(job_.method().name.data());
+      return std::make_unique<ChainRun<Space, Group>>(name(), space_, kernel, execution_,
+                                                      settings());
     };
     return job_.estimator() == StepEstimator::kelemen ? with(KelemenWeights{})
                                                       : with(ExpectedValues{});
@@ -91,13 +101,35 @@ class WorldMethods {
   }
 
   const Job& job_;
-  const Session& session_;
+  const Run& execution_;
   std::unique_ptr<const Scene<W>> scene_;
+  Space space_;
 };
 
+inline void load(LiveRun& run, const std::string& state) {
+  try {
+    if (!state.empty()) restore(run, state);
+  } catch (const std::exception& problem) {
+    throw CommandFailure(
+        ExitCode::invalid_input,
+        std::string("the state in the checkpoint is not one that this build of the program reads "
+                    "(") +
+            problem.what() +
+            "); carry the run on with the build that began it, or compute it anew, with --force "
+            "instead of --continue");
+  }
+}
+
 template <World W>
-Rendering render_in(const Job& job, const Session& session) {
-  return WorldMethods<W>(job, session).render();
+Rendering carry_on_in(const KeptRun& from, const Job& job, const Session& session,
+                      const Keeper& keeper) {
+  Run execution(session);
+  const WorldMethods<W> methods(job, execution);
+  const std::unique_ptr<LiveRun> run = methods.make();
+  load(*run, from.state);
+  Rendering rendering = drive(*run, execution, from.headway, keeper);
+  methods.doubt(rendering);
+  return rendering;
 }
 
 }  // namespace wander

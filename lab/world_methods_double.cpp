@@ -2,6 +2,6 @@
 
 namespace wander {
 
-template Rendering render_in<Flatland>(const Job&, const Session&);
+template Rendering carry_on_in<Flatland>(const KeptRun&, const Job&, const Session&, const Keeper&);
 
 }  // namespace wander

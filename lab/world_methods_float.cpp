@@ -2,6 +2,7 @@
 
 namespace wander {
 
-template Rendering render_in<FlatlandSingle>(const Job&, const Session&);
+template Rendering carry_on_in<FlatlandSingle>(const KeptRun&, const Job&, const Session&,
+                                               const Keeper&);
 
 }  // namespace wander

@@ -9,7 +9,8 @@ namespace wander {
 
 // Defined in world_methods.h.
 template <World W>
-Rendering render_in(const Job& job, const Session& session);
+Rendering carry_on_in(const KeptRun& from, const Job& job, const Session& session,
+                      const Keeper& keeper);
 
 // Defined in world_tracers.h.
 template <World W>

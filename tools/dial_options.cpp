@@ -5,7 +5,7 @@
 namespace wander {
 
 void DialOptions::require_for(const Method& method) const {
-  for (const Dial* dial : turned) require_dial(*dial, method);
+  for (const auto& [dial, text] : turned) require_dial(*dial, method);
 }
 
 void add_dial_options(CLI::App& verb, std::span<const std::string_view> words,
@@ -16,7 +16,7 @@ void add_dial_options(CLI::App& verb, std::span<const std::string_view> words,
             dial.option(),
             [options, &dial](const std::string& text) {
               dial.set(options->dials, text);
-              options->turned.push_back(&dial);
+              options->turned.emplace_back(&dial, text);
             },
             dial.help)
         ->type_name(std::string(dial.value));

@@ -3,7 +3,9 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lab/dials.h"
@@ -16,7 +18,7 @@ namespace wander {
 
 struct DialOptions {
   Dials dials;
-  std::vector<const Dial*> turned{};  // those that were given
+  std::vector<std::pair<const Dial*, std::string>> turned{};  // those that were given, and how
 
   // Throws UsageError if the method does not have a dial that was given.
   void require_for(const Method& method) const;

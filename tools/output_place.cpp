@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "draw/report/comparison_files.h"
+#include "lab/checkpoint.h"
 #include "lab/failure.h"
 #include "records/atomic_file.h"
 #include "records/run_files.h"
@@ -26,17 +27,19 @@ fs::path directory_of(const fs::path& file) {
 // What a directory holds, in the words of a message.
 const char* contents_of(const fs::path& directory) {
   if (holds_run(directory)) return "a run";
+  if (std::error_code error; fs::exists(checkpoint_in(directory), error))
+    return "a run that did not come to its end";
   if (compare::holds_comparison(directory)) return "a comparison";
   return "files that this program did not make";
 }
 
-void require_empty(const fs::path& directory, const Global& global) {
+void require_empty(const fs::path& directory, const Global& global, std::string_view remedy) {
   std::error_code error;
   const bool empty = fs::is_empty(directory, error);
   if (error) throw OutputError(directory.string(), error.value());
   if (empty || global.force) return;
-  throw UsageError(fmt::format("{} holds {}; choose another place, or add --force to replace it",
-                               directory.string(), contents_of(directory)));
+  throw UsageError(fmt::format("{} holds {}; choose another place, {}", directory.string(),
+                               contents_of(directory), remedy));
 }
 
 // The directories that must be made so that `path` exists, outermost first.
@@ -73,7 +76,8 @@ void require_replaceable(const fs::path& file, const Global& global) {
   throw UsageError(fmt::format("{} exists; add --force to replace it", file.string()));
 }
 
-void require_replaceable_directory(const fs::path& path, const Global& global) {
+void require_replaceable_directory(const fs::path& path, const Global& global,
+                                   std::string_view remedy) {
   if (is_standard_output(path))
     throw UsageError(
         "-o - is standard output, and this output is a directory of files; --json prints its "
@@ -82,7 +86,7 @@ void require_replaceable_directory(const fs::path& path, const Global& global) {
   const fs::path directory = without_trailing_slash(path);
   const fs::file_status status = fs::status(directory, error);
   if (fs::is_directory(status)) {
-    require_empty(directory, global);
+    require_empty(directory, global, remedy);
   } else if (fs::exists(status)) {
     throw OutputError(directory.string(), ENOTDIR);
   }

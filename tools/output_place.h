@@ -16,8 +16,9 @@ bool is_standard_output(const std::filesystem::path& path);
 // devices, and standard output unless --json has it.
 void require_replaceable(const std::filesystem::path& file, const Global& global);
 // The same of a directory, which may be empty: what it holds, a finished run or an interrupted one
-// or a comparison too, is replaced only with --force.
-void require_replaceable_directory(const std::filesystem::path& path, const Global& global);
+// or a comparison too, is replaced only with --force.  The message ends with the remedy.
+void require_replaceable_directory(const std::filesystem::path& path, const Global& global,
+                                   std::string_view remedy = "or add --force to replace it");
 // Throws OutputError if no file can be made in the directory of `file`; pipes and devices need
 // none.
 void require_writable_directory(const std::filesystem::path& file);

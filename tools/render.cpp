@@ -3,23 +3,22 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "lab/engine.h"
-#include "lab/failure.h"
 #include "lab/load_warning.h"
 #include "lab/parsing.h"
 #include "lab/scene_source.h"
 #include "records/run_files.h"
 #include "records/run_json.h"
 #include "tools/console.h"
-#include "tools/dial_options.h"
-#include "tools/examined_job.h"
 #include "tools/interruption.h"
 #include "tools/output_place.h"
 #include "tools/progress.h"
+#include "tools/render_task.h"
 #include "tools/summary.h"
 #include "tools/verb.h"
 
@@ -27,67 +26,65 @@ namespace wander {
 
 namespace {
 
-struct RenderOptions {
-  std::string scene;
-  const Method* method = nullptr;
-  Budget budget = TimeBudget{5};
-  std::shared_ptr<DialOptions> given = std::make_shared<DialOptions>();
-  // Once the scene is read.
-  std::optional<SceneDocument> document;
-  std::optional<Job> job;
-};
-
-void examine(RenderOptions& options, const Global& global, Examination& examination) {
-  examination.part([&] {
-    if (global.out.empty() && !global.json)
-      throw UsageError("render needs -o DIR (where the film goes), or --json, or both");
-    if (!global.out.empty()) require_replaceable_directory(global.out, global);
-  });
-  if (options.method) examination.part([&] { options.given->require_for(*options.method); });
-  if (options.scene.empty()) return;
-  examination.part([&] { options.document = open_scene(options.scene); });
-  if (!options.document || !options.method) return;
-  options.job =
-      examined_job(options.document->scene, *options.method, options.given->dials, examination);
-}
-
-void say_scene(const RenderOptions& options) {
-  const description::Scene& scene = options.job->scene();
-  spdlog::debug("scene {}: {} shapes, {} materials, at most {} vertices, sha256 {}", options.scene,
-                scene.shapes.size(), scene.materials.size(), scene.max_vertices,
-                options.document->sha256);
-}
-
-Rendering rendering_of(const SceneDocument& document, const RenderOptions& options,
-                       const Global& global) {
+Rendering rendering_of(const RenderTask& task, const Keeper& keeper, const Global& global) {
   Progress progress(global);
-  const Session session{.budget = options.budget,
-                        .seed = global.seed,
+  const Session session{.budget = task.budget,
+                        .seed = task.run.seed,
                         .threads = global.threads,
                         .interrupted = &watch_for_interruption(),
                         .report = progress.reporter()};
-  Rendering rendering = render(*options.job, session);
-  if (is_of_wall_time(options.budget))
+  Rendering rendering = carry_on(task.run.run, task.job, session, keeper);
+  if (is_of_wall_time(task.budget))
     if (std::string load =
             load_warning(rendering.seconds, rendering.processor_seconds, rendering.threads);
         !load.empty())
       rendering.warnings.push_back(std::move(load));
-  std::vector<std::string> warnings = scene_warnings(document, options.scene);
+  std::vector<std::string> warnings = scene_warnings(task.document, task.run.scene_source);
   rendering.warnings.insert(rendering.warnings.begin(), warnings.begin(), warnings.end());
   return rendering;
 }
 
-ExitCode render_scene(const RenderOptions& options, const Global& global) {
-  const SceneDocument& document = *options.document;
-  say_scene(options);
-  std::optional<OutputDirectory> directory;
-  if (!global.out.empty()) directory.emplace(global.out, global);
+// What is kept of a run stands in its directory from the first moment, so that it can be carried on
+// whenever it ends.
+Keeper keeper_in(const OutputDirectory& directory, const RenderOptions& options,
+                 const RenderTask& task) {
+  Keeper keeper = keeper_for(options, task.budget);
+  if (!(keeper.every > 0)) {
+    if (!options.is_continuation) std::filesystem::remove(checkpoint_in(directory.path()));
+    return keeper;
+  }
+  keeper.keep = [path = directory.path(), checkpoint = task.run](const KeptRun& run) mutable {
+    checkpoint.run = run;
+    write_checkpoint(checkpoint, path);
+  };
+  if (!options.is_continuation || task.is_new_budget) keeper.keep(task.run.run);
+  return keeper;
+}
 
-  const RunRecord run{rendering_of(document, options, global),
-                      provenance_of(document, global.command_line)};
+void tell_where_it_goes_on(const RenderTask& task) {
+  const bool has_chains = task.job.method().is_markov_chain();
+  print_note(fmt::format("  carried on from {} samples, to {}\n", task.run.run.headway.samples,
+                         task.run.budget));
+  if (has_chains && task.is_new_budget && task.run.run.headway.samples > 0)
+    print_note("  the seed pass and the number of chains stay as the run has them\n");
+}
+
+ExitCode render_scene(const RenderOptions& options, const RenderTask& task, const Global& global) {
+  std::optional<OutputDirectory> directory;
+  Keeper keeper;
+  Global place = global;
+  place.force = place.force || options.is_continuation;
+  if (!global.out.empty()) {
+    directory.emplace(global.out, place);
+    keeper = keeper_in(*directory, options, task);
+  }
+  if (options.is_continuation && !global.quiet) tell_where_it_goes_on(task);
+
+  const RunRecord run{rendering_of(task, keeper, global),
+                      provenance_of(task.document, global.command_line)};
 
   if (directory) {
-    write_run(run, options.job->scene(), directory->path());
+    write_run(run, task.job.scene(), directory->path());
     spdlog::debug("wrote film.exr, film.csv and run.json");
   }
   if (!global.quiet) {
@@ -113,37 +110,57 @@ relative error of the film, sqrt(sum of se^2 / sum of value^2), at which to stop
 'error<1%').
 The same seed and number of samples, or error, give the same film, whatever the number of threads.
 
-DIR receives film.exr, film.csv and run.json.  Ctrl-C saves what was computed so far.
+DIR receives film.exr, film.csv and run.json, and a file `checkpoint` from which --continue carries
+the run on, also after Ctrl-C, which saves what was computed so far, or after a crash.  Continued to
+the same number of samples it has the same bits as if it had never stopped.
 
-Example:
+Examples:
   wander render scene.json -m bdpt -b 1M -o run
+  wander render --continue -o run -b 4M
 )";
 
 }  // namespace
 
 void add_render(CLI::App& app, Global& global) {
   auto options = std::make_shared<RenderOptions>();
+  auto task = std::make_shared<std::optional<RenderTask>>();
   CLI::App* verb = app.add_subcommand("render", "estimate the film of a scene with one method");
-  verb->add_option("SCENE", options->scene, scene_help)->type_name("")->required();
+  verb->add_option("SCENE", options->scene, std::string(scene_help) + "; of a new run")
+      ->type_name("");
   verb->add_option_function<std::string>(
           "-m,--method",
           [options](const std::string& text) { options->method = &find_method(text); },
-          "how to estimate: see below")
-      ->type_name("METHOD")
-      ->required();
+          "how to estimate, of a new run: see below")
+      ->type_name("METHOD");
   verb->add_option_function<std::string>(
           "-b,--budget",
-          [options](const std::string& text) { options->budget = parse_budget(text); },
-          "how much to compute (default: 5s)")
+          [options](const std::string& text) {
+            parse_budget(text);
+            options->budget = text;
+          },
+          "how much to compute (default: 5s); of a run that is continued, in all (default: its "
+          "own)")
       ->type_name("BUDGET");
+  verb->add_flag("--continue", options->is_continuation,
+                 "carry on the run in DIR; SCENE, method and dials are those of the run");
+  verb->add_option_function<std::string>(
+          "--checkpoint",
+          [options](const std::string& text) {
+            options->checkpoint = parse_checkpoint_interval(text);
+          },
+          "keep the run so often, so that it can be continued whatever happens (default: 60 in "
+          "runs "
+          "longer than two minutes); 0: never, nor at its end")
+      ->type_name("SECONDS");
   add_dial_options(*verb, options->given);
   add_global_options(*verb, global);
   verb->footer("\n" + methods_help() + details);
-  examine_with(*verb, global, [options, &global](Examination& examination) {
-    examine(*options, global, examination);
+  examine_with(*verb, global, [options, task, verb, &global](Examination& examination) {
+    if (verb->count("--seed") > 0) options->seed = global.seed;
+    *task = examine_render(*options, global, examination);
   });
-  verb->callback([options, &global] {
-    global.job = [options, &global] { return render_scene(*options, global); };
+  verb->callback([options, task, &global] {
+    global.job = [options, task, &global] { return render_scene(*options, task->value(), global); };
   });
 }
 

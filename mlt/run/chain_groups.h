@@ -38,6 +38,7 @@ class ChainGroups {
 
   // After the seed pass; so many chains of each group.
   void start(int chains) {
+    is_started_ = true;
     on_all_threads([&](std::size_t g) {
       SeedTally others(max_vertices_);
       for (std::size_t h = 0; h < groups_.size(); ++h)
@@ -47,6 +48,19 @@ class ChainGroups {
     });
     for (const auto& group : groups_)
       if (group->takes_steps()) active_.push_back(group.get());
+  }
+
+  bool is_started() const { return is_started_; }
+
+  // The slices of the seed pass; and after start() from the same slices, what the steps have left.
+  template <class Archive>
+  void serialize_seeds(Archive& archive) {
+    for (const auto& group : groups_) group->serialize_seeds(archive);
+  }
+  template <class Archive>
+  void serialize_chains(Archive& archive) {
+    archive(steps_);
+    for (const auto& group : groups_) group->serialize_chains(archive);
   }
 
   // Steps of all chains together, shared evenly by the groups that take any.
@@ -72,6 +86,7 @@ class ChainGroups {
   const Run& run_;
   std::vector<std::unique_ptr<Chains>> groups_;
   std::vector<Chains*> active_;
+  bool is_started_ = false;
   std::uint64_t steps_ = 0;
 };
 

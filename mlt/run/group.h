@@ -4,6 +4,9 @@
 // The constants of a group are those of its own slice: seeds and constants from one slice make the
 // film unbiased for chains of any length (seed_pass.h).  How much a group does must not depend on
 // that slice, or the product of the two is biased.
+//
+// A group is a value that goes on: serialize_seeds(archive), and once its chains have started
+// serialize_chains(archive), are its whole state.
 #pragma once
 
 #include <concepts>
@@ -42,6 +45,12 @@ class SeededGroup {
   const SeedTally& tally() const { return slice_.tally(); }
   std::uint64_t steps() const { return steps_; }
 
+  // Between two samples of the seed pass, or after it.
+  template <class Archive>
+  void serialize_seeds(Archive& archive) {
+    archive(slice_);
+  }
+
  protected:
   SeededGroup(const Space& space, std::uint64_t seed, int group, int seeds,
               std::span<const std::string_view> moves)
@@ -50,6 +59,12 @@ class SeededGroup {
         film_(space.scene().bins(), space.max_vertices()),
         states_(slice_.evidence().ratios.size()),
         statistics_(moves, space.scene().bins(), space.max_vertices()) {}
+
+  // Between two steps.  What follows from the slices is left out: start_chains() makes it again.
+  template <class Archive>
+  void serialize_steps(Archive& archive) {
+    archive(steps_, film_, states_, statistics_);
+  }
 
   // Before the first step: keep_state() does not allocate.
   void expect_states() {

@@ -44,6 +44,12 @@ class LengthSequence {
   }
   double share(std::size_t k) const { return shares_[k]; }
 
+  // Where it stands; the shares are those that it was made with.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(place_);
+  }
+
  private:
   std::vector<double> shares_;
   std::uint64_t place_;
@@ -100,6 +106,14 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
     const double scale = steps_ > 0 ? 1 / static_cast<double>(steps_) : 0;
     return this->findings_of(
         scale, [&](std::size_t k) { return this->tally().mean(static_cast<int>(k) + 2); });
+  }
+
+  // Into a group whose chains have started from the same slices.
+  template <class Archive>
+  void serialize_chains(Archive& archive) {
+    this->serialize_steps(archive);
+    archive(lengths_);
+    for (Member& member : chains_) archive(member.chain, member.runs, member.steps);
   }
 
  private:

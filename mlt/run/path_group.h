@@ -54,6 +54,14 @@ class PathGroup : public SeededGroup<Space, PathSeeds> {
     return found;
   }
 
+  // Into a group whose chains have started from the same slices.
+  template <class Archive>
+  void serialize_chains(Archive& archive) {
+    this->serialize_steps(archive);
+    for (Member& member : chains_)
+      archive(member.chain, member.current, member.runs, member.draws, member.steps);
+  }
+
  private:
   using Base = SeededGroup<Space, PathSeeds>;
   using Base::film_;

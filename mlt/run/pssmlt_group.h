@@ -56,6 +56,13 @@ class PssmltGroup : public SeededGroup<Space, SampleSeeds> {
     return this->findings_of(scale, [&](std::size_t) { return this->tally().mean(); });
   }
 
+  // Into a group whose chains have started from the same slices.
+  template <class Archive>
+  void serialize_chains(Archive& archive) {
+    this->serialize_steps(archive);
+    for (Member& member : chains_) archive(member.chain, member.runs, member.draws, member.steps);
+  }
+
  private:
   using Base = SeededGroup<Space, SampleSeeds>;
   using Base::film_;

@@ -1,0 +1,155 @@
+#include "lab/checkpoint.h"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "lab/failure.h"
+#include "records/atomic_file.h"
+#include "records/run_record.h"
+#include "records/seal.h"
+#include "records/version.h"
+
+namespace wander {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/1";
+constexpr std::string_view anew =
+    "; compute the run anew: `wander render SCENE -m METHOD --force`, without --continue";
+
+[[noreturn]] void refuse(const fs::path& file, std::string_view what) {
+  throw RunFileError(fmt::format("{}: {}{}", file.string(), what, anew));
+}
+
+// States are mostly zeros, of what has not yet happened.
+std::string packed(const std::string& state) {
+  uLongf size = compressBound(static_cast<uLong>(state.size()));
+  std::string bytes(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
+                reinterpret_cast<const Bytef*>(state.data()), static_cast<uLong>(state.size()),
+                Z_BEST_SPEED) != Z_OK)
+    throw std::runtime_error("the state of the run cannot be compressed");
+  bytes.resize(size);
+  return bytes;
+}
+// Into so many bytes; none if they are not what is packed there.
+std::optional<std::string> unpacked(std::string_view bytes, std::size_t size) {
+  std::string state(size, '\0');
+  auto found = static_cast<uLongf>(size);
+  const int result =
+      uncompress(reinterpret_cast<Bytef*>(state.data()), &found,
+                 reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()));
+  return result == Z_OK && found == size ? std::optional(std::move(state)) : std::nullopt;
+}
+
+ordered_json header_of(const Checkpoint& c) {
+  const Headway& h = c.run.headway;
+  return {
+      {"version", program_version()},
+      {"scene", {{"source", c.scene_source}, {"sha256", c.scene_sha256}, {"text", c.scene_text}}},
+      {"method", c.method},
+      {"budget", c.budget},
+      {"dials", c.dials},
+      {"seed", c.seed},
+      {"precision", name_of(c.turned().precision)},
+      {"samples", h.samples},
+      {"seconds", h.wall_seconds},
+      {"processor_seconds", h.processor_seconds},
+      {"seed_seconds", h.seed_seconds},
+      {"looks", {{"target", h.target}, {"seed_goal", h.seed_goal}, {"goal", h.goal}}}};
+}
+
+Checkpoint from_header(const ordered_json& header) {
+  Checkpoint c;
+  const ordered_json& scene = header.at("scene");
+  scene.at("source").get_to(c.scene_source);
+  scene.at("sha256").get_to(c.scene_sha256);
+  scene.at("text").get_to(c.scene_text);
+  header.at("method").get_to(c.method);
+  header.at("budget").get_to(c.budget);
+  header.at("dials").get_to(c.dials);
+  header.at("seed").get_to(c.seed);
+  Headway& h = c.run.headway;
+  header.at("samples").get_to(h.samples);
+  header.at("seconds").get_to(h.wall_seconds);
+  header.at("processor_seconds").get_to(h.processor_seconds);
+  header.at("seed_seconds").get_to(h.seed_seconds);
+  const ordered_json& looks = header.at("looks");
+  looks.at("target").get_to(h.target);
+  looks.at("seed_goal").get_to(h.seed_goal);
+  looks.at("goal").get_to(h.goal);
+  return c;
+}
+
+// Takes what comes before the next end of a line.
+std::string_view take_line(std::string_view& bytes) {
+  const std::string_view line = bytes.substr(0, bytes.find('\n'));
+  bytes.remove_prefix(std::min(bytes.size(), line.size() + 1));
+  return line;
+}
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) refuse(file, "cannot be read");
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+Dials Checkpoint::turned() const {
+  Dials values;
+  for (const auto& [word, text] : dials) find_dial(word).set(values, text);
+  return values;
+}
+
+fs::path checkpoint_in(const fs::path& directory) { return directory / "checkpoint"; }
+
+void write_checkpoint(const Checkpoint& checkpoint, const fs::path& directory) {
+  // What is no UTF-8, such as the name of a file, must not end a run.
+  const std::string header =
+      header_of(checkpoint).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  write_file(checkpoint_in(directory),
+             sealed(fmt::format("{}\n{}\n{}", format, header, packed(checkpoint.run.state))));
+}
+
+Checkpoint read_checkpoint(const fs::path& directory) {
+  const fs::path file = checkpoint_in(directory);
+  std::error_code error;
+  if (!fs::exists(file, error))
+    throw UsageError(fmt::format("{} holds no checkpoint, so there is no run to carry on{}",
+                                 directory.string(), anew));
+  const std::string whole = bytes_of(file);
+  if (!std::string_view(whole).starts_with(family)) refuse(file, "is not a checkpoint of a run");
+  const auto unbroken = unsealed(whole);
+  if (!unbroken) refuse(file, "the checkpoint is damaged or cut short");
+  std::string_view bytes = *unbroken;
+  if (const std::string_view found = take_line(bytes); found != format)
+    refuse(file, fmt::format("its format is {}, and this program reads {}", found, format));
+  try {
+    const ordered_json header = ordered_json::parse(take_line(bytes));
+    if (const auto version = header.at("version").get<std::string>(); version != program_version())
+      refuse(file, fmt::format("it is of version {} of the program, and this is {}", version,
+                               program_version()));
+    Checkpoint checkpoint = from_header(header);
+    checkpoint.turned();
+    auto state = unpacked(bytes, header.at("state_bytes").get<std::size_t>());
+    if (!state) refuse(file, "its state cannot be read");
+    checkpoint.run.state = *std::move(state);
+    return checkpoint;
+  } catch (const ordered_json::exception& problem) {
+    refuse(file, fmt::format("its header cannot be read ({})", problem.what()));
+  } catch (const UsageError& problem) {
+    refuse(file, problem.what());
+  }
+}
+
+}  // namespace wander

@@ -1,0 +1,280 @@
+#include "lab/drive.h"
+
+#include <algorithm>
+#include <cereal/archives/binary.hpp>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "core/film_statistics.h"
+#include "work/pace.h"
+#include "work/stopping_rule.h"
+
+namespace wander {
+
+namespace {
+
+constexpr std::uint64_t seeds_per_round = 256;  // of each slice
+constexpr double rehearsed_after = 0.25;        // of the time of the samples
+// The error of the seed pass may be so much of the target, if that is the budget: then b takes
+// no more than a quarter of the variance.
+constexpr double share_of_error = 0.5;
+
+class Drive {
+ public:
+  Drive(LiveRun& run, Run& execution, const Headway& begin, const Keeper& keeper)
+      : run_(run),
+        execution_(execution),
+        budget_(execution.session().budget),
+        headway_(begin),
+        keeper_(keeper),
+        next_keeping_(execution.seconds() + keeper.first) {
+    run_.watch([this](std::uint64_t samples) { report_samples(samples); });
+  }
+  ~Drive() { run_.watch({}); }
+  Drive(const Drive&) = delete;
+  Drive& operator=(const Drive&) = delete;
+
+  Rendering to_the_end() {
+    if (const auto* error = std::get_if<ErrorBudget>(&budget_)) aim_at(error->relative);
+    const bool had_all_seeds = !run_.takes_seeds() || seed_pass();
+    if (run_.takes_seeds()) {
+      // An interrupted seed pass goes on from where it was, not from the chains that now show what
+      // it found.
+      if (!had_all_seeds) keep();
+      headway_.seed_seconds = execution_.seconds();
+      run_.start(chains_for(expected_steps()));
+    }
+    Rendering r = sampled();
+    if (had_all_seeds) keep();
+    return r;
+  }
+
+ private:
+  // ---- the seed pass; false if it was interrupted
+
+  bool seed_pass() {
+    if (const auto* error = std::get_if<ErrorBudget>(&budget_))
+      seeds_to_error(share_of_error * error->relative);
+    else if (const auto* time = std::get_if<TimeBudget>(&budget_))
+      seeds_until(share_of_seeds() / (1 + share_of_seeds()) * time->seconds, time->seconds);
+    else
+      seeds_for(std::get<SampleBudget>(budget_).samples);
+    return !execution_.is_interrupted();
+  }
+  double share_of_seeds() const { return run_.settings().seed_share; }
+
+  // Of each slice, which all have the same number.  `fraction` of the budget is done after so many.
+  template <class Fraction>
+  void seeds_to(std::uint64_t goal, Fraction&& fraction) {
+    for (SeedPass now = run_.seeds(); now.of_each() < goal && !execution_.is_interrupted();) {
+      run_.seed(std::min(seeds_per_round, goal - now.of_each()));
+      now = run_.seeds();
+      report(fraction(now.of_each()), now.samples, "seed pass");
+      keep_if_due();
+    }
+  }
+  void seeds_for(std::uint64_t steps) {
+    const double share = share_of_seeds() * static_cast<double>(steps);
+    const std::uint64_t goal =
+        std::max(run_.settings().fewest_seeds, static_cast<std::uint64_t>(share)) /
+        run_.seeds().slices;
+    seeds_to(goal, [goal](std::uint64_t done) {
+      return static_cast<double>(done) / static_cast<double>(goal);
+    });
+  }
+  void seeds_to_error(double target) {
+    if (headway_.seed_goal == 0)
+      headway_.seed_goal = run_.settings().fewest_seeds / run_.seeds().slices;
+    while (true) {
+      seeds_to(headway_.seed_goal, [](std::uint64_t) { return 0.0; });
+      const SeedPass now = run_.seeds();
+      if (execution_.is_interrupted()) return;
+      if (!now.found_light && now.samples >= samples_in_the_dark) return;
+      if (now.found_light && now.relative_error <= target) return;
+      const double error = now.found_light ? now.relative_error : INFINITY;
+      headway_.seed_goal =
+          now.of_each() + (next_look(now.samples, error, target) - now.samples) / now.slices + 1;
+    }
+  }
+  void seeds_until(double seconds, double of_all) {
+    const std::uint64_t slices = run_.seeds().slices;
+    Pace pace(execution_.spent(), seconds, seeds_per_round * slices);
+    std::uint64_t done = run_.seeds().samples;
+    for (double now = execution_.spent(); done == 0 || !pace.is_over(now);
+         now = execution_.spent()) {
+      const std::uint64_t count = pace.next(now, done) / slices + 1;
+      run_.seed(count);
+      done += count * slices;
+      report(now / of_all, done, "seed pass");
+      if (execution_.is_interrupted()) return;
+      keep_if_due();
+    }
+  }
+
+  // ---- how many chains
+
+  // In a time budget a step is taken to cost as much as a sample of the seed pass, which is too
+  // much for most; how many steps an error takes is not known, so none are expected.
+  std::uint64_t expected_steps() const {
+    if (const auto* budget = std::get_if<SampleBudget>(&budget_)) return budget->samples;
+    const auto* budget = std::get_if<TimeBudget>(&budget_);
+    if (!budget) return 0;
+    const double now = execution_.spent();
+    return static_cast<std::uint64_t>(static_cast<double>(run_.seeds().samples) *
+                                      std::max(0.0, budget->seconds - now) / std::max(now, 1e-9));
+  }
+  // Of each group.
+  int chains_for(std::uint64_t steps) const {
+    const ChainSettings settings = run_.settings();
+    if (settings.steps_per_chain == 0) return settings.chains_per_group;
+    const auto most = static_cast<std::uint64_t>(settings.chains_per_group);
+    const std::uint64_t enough = steps / settings.steps_per_chain / run_.seeds().slices;
+    return static_cast<int>(std::clamp<std::uint64_t>(enough, 1, most));
+  }
+
+  // ---- the samples
+
+  Rendering sampled() {
+    if (const auto* error = std::get_if<ErrorBudget>(&budget_)) return to_error(error->relative);
+    if (const auto* time = std::get_if<TimeBudget>(&budget_))
+      until(time->seconds);
+    else
+      advance_to(std::get<SampleBudget>(budget_).samples);
+    return findings();
+  }
+
+  void advance_to(std::uint64_t target) {
+    while (run_.samples() < target) {
+      const std::uint64_t next = run_.rest(run_.samples() + run_.stride());
+      run_.advance(std::min(next, target) - run_.samples());
+      report_samples(run_.samples());
+      if (execution_.is_interrupted()) return;
+      keep_if_due();
+    }
+  }
+
+  // The looks are those of a run that never stopped if it is carried on to the same error.
+  void aim_at(double target) {
+    if (headway_.target == target) return;
+    headway_.target = target;
+    headway_.seed_goal = headway_.goal = 0;
+  }
+  Rendering to_error(double target) {
+    if (headway_.goal == 0) headway_.goal = run_.rest(run_.first_look());
+    while (true) {
+      advance_to(headway_.goal);
+      Rendering r = findings();
+      const double error = relative_error(r.film);
+      if (error <= target || execution_.is_interrupted()) return r;
+      if (!std::isfinite(error) && run_.samples() >= samples_in_the_dark) return r;
+      fraction_of_error_ =
+          std::isfinite(error) ? std::min(1.0, target * target / (error * error)) : 0;
+      headway_.goal = run_.rest(next_look(run_.samples(), error, target));
+    }
+  }
+
+  // What comes after the samples is rehearsed once, so that its time is known.
+  void until(double seconds) {
+    const double begin = execution_.spent();
+    const double rehearsal = begin + rehearsed_after * (seconds - begin);
+    if (run_.samples() > 0 && begin >= seconds) return;
+    bool is_rehearsed = false;
+    Pace pace(begin, rehearsal, run_.stride());
+    double now = begin;
+    do {
+      run_.advance_freely(pace.next(now, run_.samples()));
+      report_samples(run_.samples());
+      if (execution_.is_interrupted()) return;
+      if (seconds - execution_.spent() > 2 * time_of_keeping_) keep_if_due();
+      now = execution_.spent();
+      if (is_rehearsed || !pace.is_over(now)) continue;
+      is_rehearsed = true;
+      run_.findings();
+      const double before = std::exchange(now, execution_.spent());
+      pace.end_at(seconds - (now - before));
+    } while (!pace.is_over(now));
+  }
+
+  Rendering findings() {
+    Rendering r = run_.findings();
+    const auto* budget = std::get_if<SampleBudget>(&budget_);
+    r.complete = budget ? r.samples == budget->samples : !execution_.is_interrupted();
+    r.seed = execution_.session().seed;
+    r.threads = execution_.threads();
+    r.seed_seconds = headway_.seed_seconds;
+    r.seconds = execution_.seconds();
+    r.processor_seconds = execution_.processor_seconds();
+    return r;
+  }
+
+  // ---- reports and keeping
+
+  double fraction(std::uint64_t samples) const {
+    if (const auto* budget = std::get_if<SampleBudget>(&budget_))
+      return static_cast<double>(samples) / static_cast<double>(budget->samples);
+    if (const auto* budget = std::get_if<TimeBudget>(&budget_))
+      return execution_.spent() / budget->seconds;
+    return fraction_of_error_;
+  }
+  void report_samples(std::uint64_t samples) { report(fraction(samples), samples, "sampling"); }
+  void report(double fraction, std::uint64_t samples, const char* phase) {
+    execution_.report({fraction, samples, execution_.seconds(), phase});
+  }
+
+  void keep_if_due() {
+    if (!keeper_.keep || !(keeper_.every > 0) || execution_.seconds() < next_keeping_) return;
+    const double before = execution_.seconds();
+    keep();
+    next_keeping_ = execution_.seconds() + keeper_.every;
+    time_of_keeping_ = execution_.seconds() - before;
+  }
+  void keep() {
+    if (!keeper_.keep) return;
+    headway_.wall_seconds = execution_.seconds();
+    headway_.processor_seconds = execution_.processor_seconds();
+    headway_.samples = run_.samples();
+    keeper_.keep({headway_, state_of(run_)});
+  }
+
+  LiveRun& run_;
+  Run& execution_;
+  const Budget& budget_;
+  Headway headway_;
+  const Keeper& keeper_;
+  double next_keeping_, time_of_keeping_ = 0;  // of execution_.seconds()
+  double fraction_of_error_ = 0;               // of the way to the target, when last seen
+};
+
+}  // namespace
+
+ChainSettings fitted(ChainSettings settings, const Budget& budget) {
+  const auto* count = std::get_if<SampleBudget>(&budget);
+  if (!count) return settings;
+  const auto most = static_cast<int>(std::min<std::uint64_t>(count->samples, 1 << 20));
+  settings.chains_per_group = std::clamp(most / settings.groups, 1, settings.chains_per_group);
+  settings.groups = std::min(settings.groups, most);
+  return settings;
+}
+
+Rendering drive(LiveRun& run, Run& execution, const Headway& begin, const Keeper& keeper) {
+  return Drive(run, execution, begin, keeper).to_the_end();
+}
+
+std::string state_of(const LiveRun& run) {
+  std::ostringstream bytes;
+  cereal::BinaryOutputArchive archive(bytes);
+  run.save(archive);
+  return std::move(bytes).str();
+}
+
+void restore(LiveRun& run, const std::string& state) {
+  std::istringstream bytes(state);
+  cereal::BinaryInputArchive archive(bytes);
+  run.load(archive);
+  if (bytes.peek() != std::istringstream::traits_type::eof())
+    throw std::runtime_error("the state of a run has bytes that are not its own");
+}
+
+}  // namespace wander

@@ -1,0 +1,47 @@
+// Brings a run to the end of its budget: samples, time or error.  Budgets, progress, interruption
+// and checkpoints are here, and nowhere else.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "lab/live_run.h"
+#include "work/parallel.h"
+
+namespace wander {
+
+// How far a run has come, beside its own state.
+struct Headway {
+  double wall_seconds = 0, processor_seconds = 0, seed_seconds = 0;
+  std::uint64_t samples = 0;
+  double target = 0;            // of the last budget that was an error, or 0
+  std::uint64_t seed_goal = 0;  // its next looks, at so many samples: of each slice,
+  std::uint64_t goal = 0;       // and of the run
+
+  bool operator==(const Headway&) const = default;
+};
+
+// A run that can be carried on.
+struct KeptRun {
+  Headway headway;
+  std::string state;  // empty: from the beginning
+};
+
+// Where runs are kept on their way, and when: after so many seconds, and then every so many.
+struct Keeper {
+  std::function<void(const KeptRun&)> keep{};  // may be empty
+  double first = 0, every = 0;                 // 0: only at the end
+};
+
+// A small budget makes fewer chains, so that it can be met exactly.
+ChainSettings fitted(ChainSettings settings, const Budget& budget);
+
+// `execution` is what the run was made with.  At the end, interrupted or not, the run is kept once
+// more, so that it can be carried on with the bits of one that never stopped.
+Rendering drive(LiveRun& run, Run& execution, const Headway& begin = {}, const Keeper& keeper = {});
+
+// The state of a run, and its way back; throws std::exception if the bytes are not of such a run.
+std::string state_of(const LiveRun& run);
+void restore(LiveRun& run, const std::string& state);
+
+}  // namespace wander

@@ -1,0 +1,74 @@
+// A run is a value that goes on: it can be asked for more at any time, looked at, and kept in a
+// file.  Budgets, the clock, interruption and checkpoints are no part of it (drive.h).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "mlt/run/chain_settings.h"
+#include "records/rendering.h"
+
+namespace cereal {
+class BinaryInputArchive;
+class BinaryOutputArchive;
+}  // namespace cereal
+
+namespace wander {
+
+// What the seed pass of a run has found so far.
+struct SeedPass {
+  std::uint64_t slices = 1;   // each has as many samples as the others
+  std::uint64_t samples = 0;  // of all slices
+  bool found_light = false;
+  double relative_error = 0;  // of the constant; of use if light was found
+
+  std::uint64_t of_each() const { return samples / slices; }
+};
+
+class LiveRun {
+ public:
+  virtual ~LiveRun() = default;
+
+  // Independent samples have no seed pass: these are for chains, until start().
+  virtual bool takes_seeds() const { return false; }
+  virtual ChainSettings settings() const { return {}; }
+  virtual SeedPass seeds() const { return {}; }
+  virtual void seed(std::uint64_t /*of each slice*/) {}
+  // Ends the seed pass; throws NoLightFound.
+  virtual void start(int /*chains of each group*/) {}
+
+  // So many more samples, or fewer if the run is interrupted.  What is found depends on samples()
+  // alone, not on the strides that led there.
+  virtual void advance(std::uint64_t samples) = 0;
+  // The same for a budget of time: all threads end together, and where the strides and parts end
+  // shows in the last bits.
+  virtual void advance_freely(std::uint64_t samples) { advance(samples); }
+  virtual std::uint64_t samples() const = 0;
+
+  virtual std::uint64_t stride() const = 0;      // samples worth the trouble of one advance()
+  virtual std::uint64_t first_look() const = 0;  // samples, if the budget is an error
+  // No fewer samples, at which it is best to rest.
+  virtual std::uint64_t rest(std::uint64_t samples) const { return samples; }
+
+  // The film as it is, at little cost.
+  virtual FilmEstimate preview() const = 0;
+  // All that has come out, but for facts of the execution.
+  virtual Rendering findings() const = 0;
+
+  // The whole state, into a run that was made of the same scene, method, dials and seed.
+  virtual void save(cereal::BinaryOutputArchive& archive) const = 0;
+  virtual void load(cereal::BinaryInputArchive& archive) = 0;
+
+  // `watch` is told samples() now and then in a long advance(), by one thread at a time.
+  void watch(std::function<void(std::uint64_t)> watcher) { watcher_ = std::move(watcher); }
+
+ protected:
+  void tell(std::uint64_t samples) const {
+    if (watcher_) watcher_(samples);
+  }
+
+ private:
+  std::function<void(std::uint64_t)> watcher_;
+};
+
+}  // namespace wander

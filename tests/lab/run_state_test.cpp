@@ -1,0 +1,227 @@
+// The state of a run, saved at any place and loaded into a run that was just made, goes on with the
+// same bits: every kind of run, in either precision.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <nlohmann/json.hpp>
+
+#include "lab/drive.h"
+#include "lab/world_methods.h"
+#include "records/run_json.h"
+#include "tests/support/test_scenes.h"
+
+namespace wander::test {
+namespace {
+
+using nlohmann::ordered_json;
+
+struct Case {
+  const char* method;
+  StepEstimator estimator = StepEstimator::usual;
+};
+std::string name_of_case(const Case& c) {
+  std::string name = c.method;
+  std::ranges::replace(name, '-', '_');
+  return name + (c.estimator == StepEstimator::usual     ? ""
+                 : c.estimator == StepEstimator::kelemen ? "_kelemen"
+                                                         : "_expected");
+}
+
+Session session_of(int threads) {
+  Session session;
+  session.budget = SampleBudget{100'000};
+  session.threads = threads;
+  return session;
+}
+
+// A run with all that it needs.
+template <World W>
+struct Made {
+  Made(const Case& c, int threads)
+      : dials{.estimator = c.estimator, .chains = {.fewest_seeds = 4096}},
+        session(session_of(threads)),
+        run(methods.make(c.method)) {}
+
+  description::Scene scene = mirror_and_glass();
+  Dials dials;
+  Session session;
+  Run execution{session};
+  WorldMethods<W> methods{scene, dials, execution};
+  std::unique_ptr<LiveRun> run;
+};
+
+constexpr std::uint64_t all_seeds = 64;  // of each slice
+constexpr int chains = 3;
+
+// The run after so many seeds of each slice and so many samples.
+void go_on(LiveRun& run, std::uint64_t seeds, std::uint64_t samples) {
+  if (run.takes_seeds()) {
+    run.seed(seeds - run.seeds().of_each());
+    if (seeds == all_seeds && samples > 0) run.start(chains);
+  }
+  if (samples > run.samples()) run.advance(samples - run.samples());
+}
+
+// Every number of run.json but times.
+ordered_json numbers_of(const Rendering& rendering) {
+  ordered_json json = to_json(RunRecord{rendering, {}});
+  for (const char* time : {"threads", "seconds", "cpu_seconds", "seed_seconds", "command_line"})
+    json.erase(time);
+  if (json.contains("chains")) json["chains"].erase("ess_per_second");
+  if (json.contains("mutations"))
+    for (auto& [name, mutation] : json["mutations"].items()) mutation.erase("seconds");
+  return json;
+}
+void expect_same(const Rendering& a, const Rendering& b) {
+  EXPECT_EQ(numbers_of(a), numbers_of(b));
+}
+
+template <World W>
+void expect_round_trips(const Case& c) {
+  struct Place {
+    std::uint64_t seeds, samples;
+  };
+  const std::uint64_t end = 20'011;
+  Made<W> straight(c, 1);
+  go_on(*straight.run, all_seeds, end);
+  const Rendering expected = straight.run->findings();
+  for (const Place place : {Place{0, 0}, Place{1, 0}, Place{37, 0}, Place{all_seeds, 0},
+                            Place{all_seeds, 1}, Place{all_seeds, 67}, Place{all_seeds, 4096},
+                            Place{all_seeds, 9'999}, Place{all_seeds, end}}) {
+    SCOPED_TRACE(std::to_string(place.seeds) + " seeds, " + std::to_string(place.samples) +
+                 " samples");
+    Made<W> first(c, 2), second(c, 3);
+    go_on(*first.run, place.seeds, place.samples);
+    const std::string state = state_of(*first.run);
+    restore(*second.run, state);
+    EXPECT_EQ(state_of(*second.run), state);
+    EXPECT_EQ(second.run->samples(), place.samples);
+    go_on(*second.run, all_seeds, end);
+    expect_same(second.run->findings(), expected);
+    EXPECT_EQ(second.run->preview().value, straight.run->preview().value);
+  }
+}
+
+class RunState : public ::testing::TestWithParam<Case> {};
+INSTANTIATE_TEST_SUITE_P(Methods, RunState,
+                         ::testing::Values(Case{"pt"}, Case{"lt"}, Case{"bdpt"}, Case{"pt-naive"},
+                                           Case{"lt-naive"}, Case{"mlt"}, Case{"pssmlt"},
+                                           Case{"pssmlt", StepEstimator::expected}, Case{"mmlt"},
+                                           Case{"mmlt", StepEstimator::kelemen}),
+                         [](const auto& info) { return name_of_case(info.param); });
+
+TEST_P(RunState, GoesOnWithTheSameBits) { expect_round_trips<Flatland>(GetParam()); }
+TEST_P(RunState, GoesOnWithTheSameBitsInFloat) { expect_round_trips<FlatlandSingle>(GetParam()); }
+
+// The wrong twin: a state that is not the one asked for is seen.
+TEST_P(RunState, OfAnotherPlaceIsAnother) {
+  Made<Flatland> first(GetParam(), 2), second(GetParam(), 2);
+  go_on(*first.run, all_seeds, 4096);
+  go_on(*second.run, all_seeds, 4097);
+  EXPECT_NE(state_of(*first.run), state_of(*second.run));
+  EXPECT_NE(first.run->findings().film.value, second.run->findings().film.value);
+}
+
+TEST_P(RunState, ThatIsCutShortOrTooLongIsRefused) {
+  Made<Flatland> first(GetParam(), 2), second(GetParam(), 2);
+  go_on(*first.run, all_seeds, 4096);
+  const std::string state = state_of(*first.run);
+  for (const std::size_t size :
+       {std::size_t{0}, std::size_t{3}, state.size() / 2, state.size() - 1})
+    EXPECT_ANY_THROW(restore(*second.run, state.substr(0, size))) << size;
+  EXPECT_ANY_THROW(restore(*second.run, state + "x"));
+}
+
+// ---- budgets
+
+// Kept every time it can be, a run to a budget can be carried on from any of these places.
+template <class MakeRun>
+void expect_carried_on(const Budget& budget, MakeRun&& make) {
+  Session session = session_of(2);
+  session.budget = budget;
+  std::vector<KeptRun> kept;
+  const Keeper keeper{[&](const KeptRun& run) { kept.push_back(run); }, 1e-9, 1e-9};
+  Run execution(session);
+  const auto made = make(execution);
+  const Rendering whole = drive(*made->run, execution, {}, keeper);
+  EXPECT_TRUE(whole.complete);
+  ASSERT_GT(kept.size(), 2u);
+  for (std::size_t i = 0; i < kept.size(); i += 1 + kept.size() / 7) {
+    SCOPED_TRACE("kept after " + std::to_string(kept[i].headway.samples) + " samples");
+    Session other = session;
+    other.threads = 1;
+    Run later(other);
+    const auto again = make(later);
+    restore(*again->run, kept[i].state);
+    expect_same(drive(*again->run, later, kept[i].headway), whole);
+  }
+}
+
+struct InWorld {
+  InWorld(const char* method, const Run& execution)
+      : methods(scene, dials, execution), run(methods.make(method)) {}
+  description::Scene scene = mirror_and_glass();
+  Dials dials{};
+  WorldMethods<Flatland> methods;
+  std::unique_ptr<LiveRun> run;
+};
+
+TEST(CarriedOn, ToTheSameSamplesOrErrorHasTheSameBits) {
+  for (const char* method : {"bdpt", "mlt", "mmlt"})
+    for (const Budget& budget : {Budget{SampleBudget{1'200'001}}, Budget{ErrorBudget{0.03}}}) {
+      SCOPED_TRACE(method);
+      expect_carried_on(budget, [&](const wander::Run& execution) {
+        return std::make_unique<InWorld>(method, execution);
+      });
+    }
+}
+
+// An interruption in the seed pass shows what was found, and is carried on from where it was.
+TEST(CarriedOn, AnInterruptedSeedPassLosesNothing) {
+  Session session = session_of(2);
+  wander::Run straight(session);
+  const InWorld whole("mlt", straight);
+  const Rendering expected = drive(*whole.run, straight);
+  std::atomic<bool> interrupted = false;
+  std::vector<KeptRun> kept;
+  session.interrupted = &interrupted;
+  const Keeper keeper{[&](const KeptRun& run) {
+                        kept.push_back(run);
+                        interrupted = true;
+                      },
+                      1e-9, 1e-9};
+  wander::Run stopped(session);
+  const InWorld cut("mlt", stopped);
+  EXPECT_FALSE(drive(*cut.run, stopped, {}, keeper).complete);
+  EXPECT_EQ(kept.back().headway.samples, 0u);
+  session.interrupted = nullptr;
+  wander::Run later(session);
+  const InWorld again("mlt", later);
+  restore(*again.run, kept.back().state);
+  expect_same(drive(*again.run, later, kept.back().headway), expected);
+}
+
+// A run is the same however far it was sent first.
+TEST(CarriedOn, IndependentSamplesToALargerBudgetAreThoseOfOneRun) {
+  Session session = session_of(2);
+  const auto to = [&](InWorld& made, wander::Run& execution) {
+    return drive(*made.run, execution);
+  };
+  session.budget = SampleBudget{30'001};
+  wander::Run direct(session);
+  InWorld one("bdpt", direct);
+  const Rendering expected = to(one, direct);
+  session.budget = SampleBudget{10'003};
+  wander::Run first(session);
+  InWorld short_run("bdpt", first);
+  to(short_run, first);
+  session.budget = SampleBudget{30'001};
+  wander::Run second(session);
+  InWorld longer("bdpt", second);
+  restore(*longer.run, state_of(*short_run.run));
+  expect_same(to(longer, second), expected);
+}
+
+}  // namespace
+}  // namespace wander::test

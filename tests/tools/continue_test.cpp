@@ -1,0 +1,138 @@
+// `render --continue`: a run that was killed, interrupted or finished goes on with the bits of one
+// that never stopped, and what cannot go on says why.
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "tests/tools/killed_runs.h"
+
+namespace wander::test {
+namespace {
+
+class Continuing : public KilledRuns {
+ protected:
+  void expect_refused(const std::string& arguments, int exit_code,
+                      std::initializer_list<const char*> words) {
+    const Outcome outcome = wander(arguments);
+    EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.err;
+    for (const char* word : words) EXPECT_HAS(outcome.err, word);
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+  }
+  void change(const char* name, const std::function<void(std::string&)>& edit) {
+    std::string bytes = contents(folder / name);
+    edit(bytes);
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+  }
+};
+
+TEST_F(Continuing, KilledAnywhereItHasTheSameBits) {
+  for (const char* method : {"bdpt", "mlt", "pssmlt", "mmlt --precision float"})
+    expect_same_after_kills(method, 4, 1);
+}
+
+TEST_F(Continuing, AnInterruptedRunGoesOnToItsEnd) {
+  const std::string run = "render box.json -m mlt -b 3M -q -o ";
+  ASSERT_EQ(wander(run + "whole").exit_code, 0);
+  EXPECT_EQ(shell("timeout -s INT 0.3 \"$WANDER\" " + run + "cut -t 1").exit_code, 124);
+  EXPECT_FALSE(json::parse(contents(folder / "cut/run.json"))["complete"]);
+  EXPECT_EQ(wander("render --continue -o cut -q").exit_code, 0);
+  EXPECT_EQ(numbers_in("cut"), numbers_in("whole"));
+}
+
+TEST_F(Continuing, AFinishedRunGoesOnToALargerBudget) {
+  ASSERT_EQ(wander("render box.json -m bdpt -b 30001 -q -o long").exit_code, 0);
+  ASSERT_EQ(wander("render box.json -m bdpt -b 10003 -q -o short").exit_code, 0);
+  const Outcome outcome = wander("render --continue -o short -b 30001");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_HAS(outcome.err, "carried on from 10003 samples, to 30001");
+  EXPECT_EQ(numbers_in("short"), numbers_in("long"));
+  ASSERT_EQ(wander("render box.json -m mlt -b 2k -q -o chains").exit_code, 0);
+  const Outcome chains = wander("render --continue -o chains -b 5k");
+  EXPECT_EQ(chains.exit_code, 0) << chains.err;
+  EXPECT_HAS(chains.err, "the seed pass and the number of chains stay");
+  EXPECT_EQ(numbers_in("chains")["samples"], 5000);
+}
+
+TEST_F(Continuing, ATimeIsThatOfTheWholeRun) {
+  ASSERT_EQ(wander("render box.json -m pt -b 200ms -q -o run").exit_code, 0);
+  const json before = numbers_in("run");
+  ASSERT_EQ(wander("render --continue -o run -b 400ms -q").exit_code, 0);
+  EXPECT_GT(json::parse(contents(folder / "run/run.json"))["seconds"], 0.2);
+  EXPECT_GT(numbers_in("run")["samples"], before["samples"]);
+}
+
+TEST_F(Continuing, WhatIsGivenMustBeWhatTheRunHas) {
+  ASSERT_EQ(wander("render box.json -m mlt --large-step 0.25 -b 2k -q -o run").exit_code, 0);
+  const std::string before = contents(folder / "run/checkpoint");
+  write("other.json", std::string(box) + "\n");
+  expect_refused("render other.json --continue -o run", 2, {"its scene is box.json (sha256 "});
+  expect_refused("render --continue -o run -m bdpt", 2, {"its method is mlt, not bdpt"});
+  expect_refused("render --continue -o run -s 2", 2, {"its seed is 1, not 2"});
+  expect_refused("render --continue -o run --large-step 0.5 --kernel 2", 2,
+                 {"its --large-step is 0.25, not 0.5", "its --kernel is the usual one, not 2"});
+  expect_refused("render --continue -o run -b 1k", 2, {"has 2000 samples already"});
+  expect_refused("render --continue -o run --force", 2, {"leave one of them out"});
+  expect_refused("render --continue", 2, {"--continue needs -o DIR"});
+  EXPECT_EQ(contents(folder / "run/checkpoint"), before);
+  EXPECT_EQ(wander("render box.json -m mlt --large-step 0.250 -s 1 --continue -o run -q").exit_code,
+            0);
+}
+
+TEST_F(Continuing, WithoutACheckpointItSaysWhatToDo) {
+  expect_refused("render --continue -o nowhere", 2, {"nowhere holds no checkpoint", "--force"});
+  ASSERT_EQ(wander("render box.json -m pt -b 2k --checkpoint 0 -q -o run").exit_code, 0);
+  EXPECT_FALSE(exists("run/checkpoint"));
+  expect_refused("render --continue -o run -b 4k", 2, {"run holds no checkpoint"});
+}
+
+TEST_F(Continuing, ADamagedCheckpointIsRefused) {
+  ASSERT_EQ(wander("render box.json -m mlt -b 2k -q -o run").exit_code, 0);
+  const std::string whole = contents(folder / "run/checkpoint");
+  for (const std::size_t place : {std::size_t{40}, whole.size() / 2, whole.size() - 2}) {
+    change("run/checkpoint", [&](std::string& bytes) { bytes[place] ^= 1; });
+    expect_refused("render --continue -o run", 3, {"run/checkpoint: ", "damaged", "--force"});
+    change("run/checkpoint", [&](std::string& bytes) { bytes = whole.substr(0, place); });
+    expect_refused("render --continue -o run", 3, {"damaged or cut short"});
+    change("run/checkpoint", [&](std::string& bytes) { bytes = whole; });
+  }
+  change("run/checkpoint", [](std::string& bytes) { bytes = "mine"; });
+  expect_refused("render --continue -o run", 3, {"is not a checkpoint"});
+  change("run/checkpoint", [](std::string& bytes) { bytes.clear(); });
+  expect_refused("render --continue -o run", 3, {"is not a checkpoint"});
+}
+
+TEST_F(Continuing, ACheckpointOfAnotherVersionIsRefused) {
+  ASSERT_EQ(wander("render box.json -m mlt -b 2k -q -o run").exit_code, 0);
+  const std::string whole = contents(folder / "run/checkpoint");
+  const std::string_view bytes = *unsealed(whole);
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string other(bytes);
+    other.replace(other.find(from), from.size(), to);
+    change("run/checkpoint", [&](std::string& file) { file = sealed(other); });
+  };
+  with("wanderlight-checkpoint/1", "wanderlight-checkpoint/9");
+  expect_refused("render --continue -o run", 3, {"its format is wanderlight-checkpoint/9"});
+  with("\"version\":\"", "\"version\":\"9.");
+  expect_refused("render --continue -o run", 3, {"of version 9."});
+  with("\"method\"", "\"mathod\"");
+  expect_refused("render --continue -o run", 3, {"its header cannot be read"});
+  change("run/checkpoint", [&](std::string& file) {
+    file = sealed(std::string(bytes.substr(0, bytes.size() - 10)));
+  });
+  expect_refused("render --continue -o run -q", 3, {"its state cannot be read"});
+}
+
+TEST_F(Continuing, ANewRunLeavesNothingOfTheOld) {
+  ASSERT_EQ(wander("render box.json -m mlt -b 2k -q -o run").exit_code, 0);
+  ASSERT_EQ(wander("render box.json -m pt -b 1k -q -o run --force --checkpoint 0").exit_code, 0);
+  EXPECT_FALSE(exists("run/checkpoint"));
+}
+
+TEST_F(Continuing, AnOutputThatExistsNamesBothWays) {
+  ASSERT_EQ(wander("render box.json -m pt -b 1k -q -o run").exit_code, 0);
+  expect_refused("render box.json -m pt -b 1k -o run", 2, {"--force", "--continue"});
+  fs::remove(folder / "run/run.json");
+  expect_refused("render box.json -m pt -b 1k -o run", 2, {"did not come to its end"});
+}
+
+}  // namespace
+}  // namespace wander::test

@@ -1,0 +1,157 @@
+#include "tools/render_task.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+#include <limits>
+
+#include "lab/failure.h"
+#include "lab/parsing.h"
+#include "lab/scene_source.h"
+#include "tools/examined_job.h"
+#include "tools/output_place.h"
+
+namespace wander {
+
+namespace {
+
+constexpr const char* usual_budget = "5s";
+
+std::map<std::string, std::string> texts_of(const DialOptions& given) {
+  std::map<std::string, std::string> texts;
+  for (const auto& [dial, text] : given.turned) texts[std::string(dial->word)] = text;
+  return texts;
+}
+
+void say(const Job& job, const std::string& digest) {
+  const description::Scene& scene = job.scene();
+  spdlog::debug("{} shapes, {} materials, at most {} vertices, sha256 {}", scene.shapes.size(),
+                scene.materials.size(), scene.max_vertices, digest);
+}
+
+UsageError missing(std::string_view what) {
+  return UsageError(fmt::format("{} is required; see `wander render --help`", what));
+}
+
+// ---- from the beginning
+
+std::optional<RenderTask> examine_new(const RenderOptions& options, const Global& global,
+                                      Examination& examination) {
+  examination.part([&] {
+    if (global.out.empty() && !global.json)
+      throw UsageError("render needs -o DIR (where the film goes), or --json, or both");
+    if (!global.out.empty())
+      require_replaceable_directory(global.out, global,
+                                    "add --force to replace it, or --continue to carry the run on");
+  });
+  if (options.method) examination.part([&] { options.given->require_for(*options.method); });
+  if (!options.method) examination.part([] { throw missing("--method"); });
+  if (options.scene.empty()) examination.part([] { throw missing("SCENE"); });
+  if (options.scene.empty()) return {};
+  std::optional<SceneDocument> document;
+  examination.part([&] { document = open_scene(options.scene); });
+  if (!document || !options.method) return {};
+  std::optional<Job> job =
+      examined_job(document->scene, *options.method, options.given->dials, examination);
+  if (!job || !examination.is_passed()) return {};
+  say(*job, document->sha256);
+  const std::string budget = options.budget.empty() ? usual_budget : options.budget;
+  return RenderTask{.run = {.scene_source = options.scene,
+                            .scene_text = document->text,
+                            .scene_sha256 = document->sha256,
+                            .method = std::string(options.method->name),
+                            .budget = budget,
+                            .dials = texts_of(*options.given),
+                            .seed = global.seed,
+                            .run = {}},
+                    .document = *document,
+                    .job = *std::move(job),
+                    .budget = parse_budget(budget)};
+}
+
+// ---- carried on
+
+// What the command line asks for and the run is not, in words.
+std::vector<std::string> differences(const RenderOptions& options, const Checkpoint& run,
+                                     const SceneDocument* scene) {
+  std::vector<std::string> found;
+  const auto differ = [&](std::string_view what, std::string_view has, std::string_view asked) {
+    found.push_back(fmt::format("its {} is {}, not {}", what, has, asked));
+  };
+  const auto shown = [](const std::string& source, const std::string& digest) {
+    return fmt::format("{} (sha256 {})", shown_name(source), digest.substr(0, 12));
+  };
+  if (scene && scene->sha256 != run.scene_sha256)
+    differ("scene", shown(run.scene_source, run.scene_sha256), shown(options.scene, scene->sha256));
+  if (options.method && options.method->name != run.method)
+    differ("method", run.method, options.method->name);
+  if (options.seed && *options.seed != run.seed)
+    differ("seed", std::to_string(run.seed), std::to_string(*options.seed));
+  for (const auto& [dial, text] : options.given->turned) {
+    Dials turned = run.turned();
+    dial->set(turned, text);
+    if (turned == run.turned()) continue;
+    const auto had = run.dials.find(std::string(dial->word));
+    differ(dial->option(), had == run.dials.end() ? "the usual one" : had->second, text);
+  }
+  return found;
+}
+
+void require_not_beyond(const Checkpoint& run, const Budget& budget, const std::string& text) {
+  const auto* count = std::get_if<SampleBudget>(&budget);
+  if (count && count->samples < run.run.headway.samples)
+    throw UsageError(fmt::format(
+        "the run has {} samples already, more than the budget {}, which counts all of the run",
+        run.run.headway.samples, text));
+}
+
+RenderTask continued(const RenderOptions& options, const Global& global) {
+  Checkpoint run = read_checkpoint(global.out);
+  std::optional<SceneDocument> scene;
+  if (!options.scene.empty()) scene = open_scene(options.scene);
+  if (const auto found = differences(options, run, scene ? &*scene : nullptr); !found.empty())
+    throw UsageError(
+        fmt::format("the run in {} is another: {}; leave these out to carry it on, or choose "
+                    "another place for a new run",
+                    global.out.string(), fmt::join(found, "; ")));
+  const bool is_new_budget = !options.budget.empty() && options.budget != run.budget;
+  if (is_new_budget) run.budget = options.budget;
+  const Budget budget = parse_budget(run.budget);
+  require_not_beyond(run, budget, run.budget);
+  if (!scene) scene = parse_scene(run.scene_text, shown_name(run.scene_source));
+  Job job(scene->scene, find_method(run.method), run.turned());
+  say(job, scene->sha256);
+  return {std::move(run), *std::move(scene), std::move(job), budget, is_new_budget};
+}
+
+std::optional<RenderTask> examine_continued(const RenderOptions& options, const Global& global,
+                                            Examination& examination) {
+  std::optional<RenderTask> task;
+  examination.part([&] {
+    if (global.out.empty())
+      throw UsageError("--continue needs -o DIR, the directory of the run that is to go on");
+    if (global.force)
+      throw UsageError(
+          "--continue carries the run in DIR on, and --force replaces it: leave one of them out");
+    task = continued(options, global);
+  });
+  return task;
+}
+
+}  // namespace
+
+std::optional<RenderTask> examine_render(const RenderOptions& options, const Global& global,
+                                         Examination& examination) {
+  return options.is_continuation ? examine_continued(options, global, examination)
+                                 : examine_new(options, global, examination);
+}
+
+Keeper keeper_for(const RenderOptions& options, const Budget& budget) {
+  constexpr double usual = 60, long_run = 120, never = std::numeric_limits<double>::infinity();
+  if (options.checkpoint) return {{}, *options.checkpoint, *options.checkpoint};
+  if (!is_of_wall_time(budget)) return {{}, long_run, usual};
+  return {{}, std::get<TimeBudget>(budget).seconds > long_run ? usual : never, usual};
+}
+
+}  // namespace wander
