@@ -61,6 +61,7 @@ ordered_json header_of(const Checkpoint& c) {
       {"dials", c.dials},
       {"seed", c.seed},
       {"precision", name_of(c.turned().precision)},
+      {"state_bytes", c.run.state.size()},
       {"samples", h.samples},
       {"seconds", h.wall_seconds},
       {"processor_seconds", h.processor_seconds},

@@ -37,8 +37,9 @@ class LiveRun {
   // Ends the seed pass; throws NoLightFound.
   virtual void start(int /*chains of each group*/) {}
 
-  // So many more samples, or fewer if the run is interrupted.  What is found depends on samples()
-  // alone, not on the strides that led there.
+  // So many more samples, or fewer if the run is interrupted.  Independent samples give the same
+  // bits in whatever strides they are made; chains if the strides are the same, for they share the
+  // sums of their group and take turns.
   virtual void advance(std::uint64_t samples) = 0;
   // The same for a budget of time: all threads end together, and where the strides and parts end
   // shows in the last bits.
