@@ -41,13 +41,14 @@ struct Made {
   Made(const Case& c, int threads)
       : dials{.estimator = c.estimator, .chains = {.fewest_seeds = 4096}},
         session(session_of(threads)),
-        run(methods.make(c.method)) {}
+        job(mirror_and_glass(), find_method(c.method), dials),
+        run(methods.make()) {}
 
-  description::Scene scene = mirror_and_glass();
   Dials dials;
   Session session;
+  Job job;
   Run execution{session};
-  WorldMethods<W> methods{scene, dials, execution};
+  WorldMethods<W> methods{job, execution};
   std::unique_ptr<LiveRun> run;
 };
 
@@ -158,9 +159,10 @@ void expect_carried_on(const Budget& budget, MakeRun&& make) {
 
 struct InWorld {
   InWorld(const char* method, const Run& execution)
-      : methods(scene, dials, execution), run(methods.make(method)) {}
-  description::Scene scene = mirror_and_glass();
-  Dials dials{};
+      : job(mirror_and_glass(), find_method(method)),
+        methods(job, execution),
+        run(methods.make()) {}
+  Job job;
   WorldMethods<Flatland> methods;
   std::unique_ptr<LiveRun> run;
 };
