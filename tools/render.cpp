@@ -157,6 +157,7 @@ void add_render(CLI::App& app, Global& global) {
   verb->footer("\n" + methods_help() + details);
   examine_with(*verb, global, [options, task, verb, &global](Examination& examination) {
     if (verb->count("--seed") > 0) options->seed = global.seed;
+    options->names_method = verb->count("--method") > 0;
     *task = examine_render(*options, global, examination);
   });
   verb->callback([options, task, &global] {

@@ -46,7 +46,7 @@ std::optional<RenderTask> examine_new(const RenderOptions& options, const Global
                                     "add --force to replace it, or --continue to carry the run on");
   });
   if (options.method) examination.part([&] { options.given->require_for(*options.method); });
-  if (!options.method) examination.part([] { throw missing("--method"); });
+  if (!options.names_method) examination.part([] { throw missing("--method"); });
   if (options.scene.empty()) examination.part([] { throw missing("SCENE"); });
   if (options.scene.empty()) return {};
   std::optional<SceneDocument> document;

@@ -21,6 +21,7 @@ struct RenderOptions {
   std::string budget;                // empty: the usual one, or that of the run
   std::optional<double> checkpoint;  // seconds; none: what is usual
   bool is_continuation = false;
+  bool names_method = false;  // perhaps one that is not known
   std::optional<std::uint64_t> seed;
   std::shared_ptr<DialOptions> given = std::make_shared<DialOptions>();
 };
