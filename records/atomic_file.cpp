@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -59,21 +60,17 @@ fs::path behind_links(const fs::path& path) {
   return error ? path : target;
 }
 
-// Short, so that it is valid wherever the name of the file is.
-fs::path temporary_beside(const fs::path& path) {
-  static std::atomic<unsigned> count = 0;
-  return path.parent_path() / fmt::format(".wander-{}-{}.tmp", getpid(), count++);
-}
-
 fs::path directory_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-void write_and_sync(const fs::path& temporary, std::string_view bytes, const std::string& place) {
-  Descriptor file(temporary, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
-  if (!file.is_open()) throw OutputError(place, errno);
-  write_to_descriptor(file.number(), bytes, place);
-  if (!sync(file.number()) || !file.close()) throw OutputError(place, errno);
+constexpr std::string_view temporary_prefix = ".wander-", temporary_suffix = ".tmp";
+
+// Short, so that it is valid wherever the name of the file is.
+fs::path temporary_beside(const fs::path& path) {
+  static std::atomic<unsigned> count = 0;
+  return path.parent_path() /
+         fmt::format("{}{}-{}{}", temporary_prefix, getpid(), count++, temporary_suffix);
 }
 
 }  // namespace
@@ -91,6 +88,36 @@ void write_to_descriptor(int descriptor, std::string_view bytes, const std::stri
   }
 }
 
+// A file that goes with its owner, unless it is renamed before.
+class StagedFile::Temporary {
+ public:
+  Temporary(const fs::path& path, const std::string& place)
+      : path_(path), file_(path, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW), place_(place) {
+    if (!file_.is_open()) throw OutputError(place_, errno);
+    flock(file_.number(), LOCK_EX | LOCK_NB);  // where locks are unknown, no leftover is removed
+  }
+  ~Temporary() {
+    if (!path_.empty()) unlink(path_.c_str());
+  }
+  Temporary(const Temporary&) = delete;
+  Temporary& operator=(const Temporary&) = delete;
+
+  void write(std::string_view bytes) {
+    write_to_descriptor(file_.number(), bytes, place_);
+    if (!sync(file_.number())) throw OutputError(place_, errno);
+  }
+  void rename_to(const fs::path& path) {
+    if (rename(path_.c_str(), path.c_str()) != 0) throw OutputError(path.string(), errno);
+    path_.clear();
+    if (!file_.close()) throw OutputError(path.string(), errno);
+  }
+
+ private:
+  fs::path path_;
+  Descriptor file_;
+  std::string place_;
+};
+
 StagedFile::StagedFile(const fs::path& path, std::string_view bytes) : path_(behind_links(path)) {
   std::error_code unreachable;  // then opening the file says why
   if (fs::is_directory(path_, unreachable)) throw OutputError(path.string(), EISDIR);
@@ -98,29 +125,35 @@ StagedFile::StagedFile(const fs::path& path, std::string_view bytes) : path_(beh
     write_in_place(path_, bytes);
     return;
   }
-  temporary_ = temporary_beside(path_);
-  try {
-    write_and_sync(temporary_, bytes, path.string());
-  } catch (...) {
-    unlink(temporary_.c_str());
-    throw;
-  }
+  temporary_ = std::make_unique<Temporary>(temporary_beside(path_), path.string());
+  temporary_->write(bytes);
 }
 
-StagedFile::StagedFile(StagedFile&& other) noexcept
-    : path_(std::move(other.path_)), temporary_(std::exchange(other.temporary_, {})) {}
-
-StagedFile::~StagedFile() {
-  if (!temporary_.empty()) unlink(temporary_.c_str());
-}
+StagedFile::StagedFile(StagedFile&& other) noexcept = default;
+StagedFile::~StagedFile() = default;
 
 void StagedFile::commit() {
-  if (temporary_.empty()) return;
-  if (rename(temporary_.c_str(), path_.c_str()) != 0) throw OutputError(path_.string(), errno);
-  temporary_.clear();
+  if (!temporary_) return;
+  temporary_->rename_to(path_);
+  temporary_.reset();
   // The new name itself must reach the disk too.
   Descriptor directory(directory_of(path_), O_RDONLY | O_DIRECTORY);
   if (directory.is_open() && !sync(directory.number())) throw OutputError(path_.string(), errno);
+}
+
+bool is_temporary(const fs::path& path) {
+  const std::string name = path.filename().string();
+  return name.starts_with(temporary_prefix) && name.ends_with(temporary_suffix);
+}
+
+void remove_leftovers(const fs::path& directory) {
+  std::error_code unreadable;  // then there is nothing to be done about it
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory, unreadable)) {
+    if (!is_temporary(entry.path())) continue;
+    const Descriptor file(entry.path(), O_RDONLY | O_NOFOLLOW);
+    if (file.is_open() && flock(file.number(), LOCK_EX | LOCK_NB) == 0)
+      unlink(entry.path().c_str());
+  }
 }
 
 void write_file(const fs::path& path, std::string_view bytes) { StagedFile(path, bytes).commit(); }

@@ -1,9 +1,11 @@
 // Files that appear whole or not at all: the bytes go to a temporary file in the same directory,
 // every write is checked, the file is synced and then renamed into place.  A failure removes the
-// temporary file and leaves what was there before as it was.
+// temporary file and leaves what was there before as it was.  Only a program that is killed leaves
+// one behind; it is locked while it is in use, so that a leftover can be told.
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -28,11 +30,18 @@ class StagedFile {
   void commit();
 
  private:
-  std::filesystem::path path_, temporary_;  // an empty `temporary_`: nothing is left to do
+  class Temporary;
+  std::filesystem::path path_;
+  std::unique_ptr<Temporary> temporary_;  // none: nothing is left to do
 };
 
 // A pipe or device (`/dev/stdout`) is written in place, for it must not be replaced by a file.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+
+// Does this name belong to a temporary file?
+bool is_temporary(const std::filesystem::path& path);
+// Removes the temporary files in a directory that no program is writing any more.
+void remove_leftovers(const std::filesystem::path& directory);
 
 // Writes all bytes to an open descriptor; `place` is named in the error.
 void write_to_descriptor(int descriptor, std::string_view bytes, const std::string& place);

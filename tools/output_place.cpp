@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <system_error>
 
@@ -33,9 +34,15 @@ const char* contents_of(const fs::path& directory) {
   return "files that this program did not make";
 }
 
+// What a program that was killed has left behind does not count.
+bool is_empty(const fs::path& directory, std::error_code& error) {
+  return std::ranges::all_of(fs::directory_iterator(directory, error),
+                             [](const fs::directory_entry& entry) { return is_temporary(entry); });
+}
+
 void require_empty(const fs::path& directory, const Global& global, std::string_view remedy) {
   std::error_code error;
-  const bool empty = fs::is_empty(directory, error);
+  const bool empty = is_empty(directory, error);
   if (error) throw OutputError(directory.string(), error.value());
   if (empty || global.force) return;
   throw UsageError(fmt::format("{} holds {}; choose another place, {}", directory.string(),
@@ -121,6 +128,7 @@ OutputDirectory::OutputDirectory(const fs::path& path, const Global& global)
     made_.push_back(directory);
   }
   if (access(path_.c_str(), W_OK | X_OK) != 0) throw OutputError(path_.string(), errno);
+  remove_leftovers(path_);
 }
 
 OutputDirectory::~OutputDirectory() {

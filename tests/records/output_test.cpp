@@ -170,6 +170,18 @@ TEST_F(Output, ALinkStaysALinkToTheFileThatIsReplaced) {
   EXPECT_EQ(contents(folder / "file"), "after");
 }
 
+TEST_F(Output, LeftoversGoAndFilesInUseStay) {
+  write_file(folder / ".wander-1-0.tmp", "of a program that was killed");
+  write_file(folder / "mine.tmp", "mine");
+  StagedFile staged(folder / "a", "in use");
+  remove_leftovers(folder);
+  EXPECT_FALSE(fs::exists(folder / ".wander-1-0.tmp"));
+  EXPECT_TRUE(fs::exists(folder / "mine.tmp"));
+  staged.commit();
+  EXPECT_EQ(contents(folder / "a"), "in use");
+  remove_leftovers(folder / "nowhere");
+}
+
 TEST_F(Output, AStagedFileThatIsNotCommittedVanishes) {
   { const StagedFile staged(folder / "a", "bytes"); }
   EXPECT_TRUE(names().empty());

@@ -41,6 +41,19 @@ TEST_F(Overwriting, AnInterruptedRunIsAnOutputToo) {
   expect_refused("render box.json -m pt -b 1h -o out");
 }
 
+// Killed before its first file was whole.
+TEST_F(Overwriting, WhatAKilledRunLeftBehindIsNoOutputAndGoes) {
+  fs::create_directory(folder / "out");
+  write("out/.wander-4711-0.tmp", "half");
+  EXPECT_EQ(wander("render box.json -m pt -b 1k -o out -q").exit_code, 0);
+  EXPECT_FALSE(exists("out/.wander-4711-0.tmp"));
+  fs::create_directory(folder / "other");
+  write("other/.wander-4711-0.tmp", "half");
+  write("other/mine", "mine");
+  expect_refused("render box.json -m pt -b 1h -o other");
+  EXPECT_TRUE(exists("other/.wander-4711-0.tmp"));
+}
+
 TEST_F(Overwriting, AComparisonIsReplacedOnlyWithForce) {
   const std::string compare = "compare box.json -m pt,bdpt -b 1k --replicates 2 -q -o out";
   ASSERT_EQ(wander(compare).exit_code, 0);
