@@ -7,16 +7,22 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
+
+#include "core/geometry/triangles.h"
 
 namespace wander::description {
 
 // Two coordinates in Flatland, three in Spaceland; the third is zero in Flatland.
 using Coordinates = std::array<double, 3>;
-// One number, or red, green and blue: grey is three equal channels with `coloured` false.
+// One number, or red, green and blue (linear, Rec. 709): grey is three equal channels with
+// `coloured` false.
 struct Quantity {
   std::array<double, 3> channels{};
   bool coloured = false;
@@ -73,7 +79,41 @@ struct Arc {
   double radius = 0, from_degrees = 0, to_degrees = 0;
   bool flip = false;
 };
-using ShapeKind = std::variant<Segment, Polyline, Circle, Arc>;
+// Of space; a normal is on the side from which the corners run counter-clockwise.
+struct Triangle {
+  std::array<Coordinates, 3> points{};
+};
+struct Parallelogram {
+  Coordinates origin{};
+  std::array<Coordinates, 2> edges{};  // the normal is along edges[0] × edges[1]
+};
+struct Sphere {
+  Coordinates center{};
+  double radius = 0;
+  bool flip = false;
+};
+struct Mesh {
+  std::string file;                            // as the scene names it
+  std::shared_ptr<const Triangles> triangles;  // of the file, where the transform puts them
+};
+using ShapeKind =
+    std::variant<Segment, Polyline, Circle, Arc, Triangle, Parallelogram, Sphere, Mesh>;
+
+// For a visitor that knows the shapes of one dimension only.  Throws std::logic_error for a shape of
+// the other.
+template <class Visitor>
+auto visit_known(Visitor&& visitor, const ShapeKind& kind) {
+  using One = std::conditional_t<std::is_invocable_v<Visitor&, const Segment&>, Segment, Sphere>;
+  using Result = std::invoke_result_t<Visitor&, const One&>;
+  return std::visit(
+      [&]<class Kind>(const Kind& shape) -> Result {
+        if constexpr (std::is_invocable_v<Visitor&, const Kind&>)
+          return visitor(shape);
+        else
+          throw std::logic_error("a shape of the other dimension");
+      },
+      kind);
+}
 
 struct Shape {
   ShapeKind kind;

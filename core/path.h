@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "core/event.h"
@@ -28,11 +29,15 @@ struct Place {
   typename W::Direction normal{};
   typename W::Direction to_sensor{};  // unit vector along the edge towards the sensor
   ShapeId shape = no_shape;
+  [[no_unique_address]] PrimitiveId<W> primitive{};
+
+  Element<W> element() const { return Element<W>(shape, primitive); }
 
   template <class Archive>
   void serialize(Archive& archive) {
     for (int k = 0; k < W::dimension; ++k) archive(position[k], normal[k], to_sensor[k]);
     archive(shape);
+    if constexpr (!std::is_empty_v<PrimitiveId<W>>) archive(primitive);
   }
 };
 

@@ -24,6 +24,10 @@ struct ShapeType {
   std::string operator()(const Polyline&) const { return "polyline"; }
   std::string operator()(const Circle&) const { return "circle"; }
   std::string operator()(const Arc&) const { return "arc"; }
+  std::string operator()(const Triangle&) const { return "triangle"; }
+  std::string operator()(const Parallelogram&) const { return "parallelogram"; }
+  std::string operator()(const Sphere&) const { return "sphere"; }
+  std::string operator()(const Mesh&) const { return "mesh"; }
 };
 
 bool is_zero(const Quantity& quantity) {

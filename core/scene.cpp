@@ -12,6 +12,11 @@ typename W::Length measure(const Shape<W>& shape) {
 }
 
 template <World W>
+bool is_flat(const Shape<W>& shape) {
+  return visit_shape([](const auto& s) { return std::decay_t<decltype(s)>::flat; }, shape);
+}
+
+template <World W>
 bool specular_material(const Material<W>& material) {
   return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::specular; }, material);
 }
@@ -34,7 +39,7 @@ Scene<W>::Scene(SceneParts<W> parts)
     surfaces_.push_back({.material = &material,
                          .is_specular = specular_material<W>(material),
                          .scatters = !std::holds_alternative<Black<W>>(material),
-                         .is_flat = part.shape.index() == flat_shape,
+                         .is_flat = is_flat<W>(part.shape),
                          .is_sensor = part.is_sensor,
                          .radiance = part.radiance});
     if (part.is_sensor) sensor_ = id;

@@ -22,7 +22,7 @@ struct Surface {
   const Material<W>* material = nullptr;
   bool is_specular = false;  // of the material: a class of vertices, never of directions
   bool scatters = false;     // false: black
-  bool is_flat = false;      // no two of its points see each other
+  bool is_flat = false;      // no two points of one primitive see each other
   bool is_sensor = false;
   Real radiance = 0;       // 0: no light
   Real light_density = 0;  // of points, when a light is sampled; per unit of area
@@ -83,8 +83,7 @@ class Scene {
     return bvh_.any(ray);
   }
   SurfacePoint<W> surface_point(const Ray<W>& ray, const Hit<W>& hit) const {
-    return visit_shape([&](const auto& s) { return s.surface(ray, hit.distance); },
-                       shape(hit.shape));
+    return visit_shape([&](const auto& s) { return s.surface(ray, hit); }, shape(hit.shape));
   }
 
   // Writes down every ray from now on, for benchmarks; null ends it.  One thread only.

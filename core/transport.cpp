@@ -26,6 +26,7 @@ void place(Vertex<W>& v, const SurfacePoint<W>& p, ShapeId shape, Event event) {
   v.place.position = p.position;
   v.place.normal = p.normal;
   v.place.shape = shape;
+  v.place.primitive = p.primitive;
   v.event = event;
 }
 
@@ -95,7 +96,8 @@ bool Transport<W>::extend(Path<W>& x, int i, Toward toward, ScatterNumbers<W> u)
 
 template <World W>
 bool Transport<W>::shoot(Path<W>& x, int i, Toward toward, Direction direction) const {
-  const Ray<W> ray{.origin = x[i].place.position, .direction = direction, .from = x[i].place.shape};
+  const Ray<W> ray{
+      .origin = x[i].place.position, .direction = direction, .from = x[i].place.element()};
   const int j = toward == Toward::sensor ? i + 1 : i - 1;
   Vertex<W>& lower = x[std::min(i, j)];
   // Also of a ray that meets nothing, for those who watch (mlt/watch/attempt.h).
@@ -174,8 +176,8 @@ template <World W>
 Connection Transport<W>::connect(Path<W>& x, int i) const {
   Vertex<W>& a = x[i];
   const Vertex<W>& b = x[i + 1];
-  const bool same_shape = a.place.shape == b.place.shape && a.place.shape != no_shape;
-  if (same_shape && scene_->surface(a.place.shape).is_flat) return Connection::facing_away;
+  const bool same_element = a.place.element() == b.place.element() && a.place.shape != no_shape;
+  if (same_element && scene_->surface(a.place.shape).is_flat) return Connection::facing_away;
   const Direction offset = b.place.position - a.place.position;
   const Length distance = glm::length(offset);
   if (!(distance > 0)) return Connection::facing_away;
@@ -184,8 +186,8 @@ Connection Transport<W>::connect(Path<W>& x, int i) const {
   if (!(a.geometry > 0)) return Connection::facing_away;
   const Ray<W> ray{.origin = a.place.position,
                    .direction = offset,
-                   .from = a.place.shape,
-                   .to = b.place.shape,
+                   .from = a.place.element(),
+                   .to = b.place.element(),
                    .limit = 1};
   return scene_->occluded(ray) ? Connection::occluded : Connection::open;
 }
@@ -273,8 +275,9 @@ PointNumbers<W> Transport<W>::inverted_point(const Path<W>& x, int i) const {
     if (scene_->camera()->is_pinhole()) return {};
     return {.position = scene_->camera()->invert_lens(v.place.position)};
   }
-  return {.position = visit_shape([&](const auto& s) { return s.parameter(v.place.position); },
-                                  scene_->shape(v.place.shape))};
+  return {.position = visit_shape(
+              [&](const auto& s) { return s.parameter(v.place.position, v.place.primitive); },
+              scene_->shape(v.place.shape))};
 }
 
 template <World W>
@@ -291,8 +294,9 @@ auto Transport<W>::film(const Path<W>& x) const -> typename W::Square {
   if (last.place.shape == no_shape)
     return *scene_->camera()->film_coordinate(last.place.position,
                                               -x[x.size() - 2].place.to_sensor);
-  return visit_shape([&](const auto& s) { return s.parameter(last.place.position); },
-                     scene_->shape(last.place.shape));
+  return visit_shape(
+      [&](const auto& s) { return s.parameter(last.place.position, last.place.primitive); },
+      scene_->shape(last.place.shape));
 }
 
 static_assert(MovablePathSpace<Transport<Flatland>>);

@@ -40,7 +40,7 @@ struct Bounds {
 // ends every ray, and changes nothing else.
 description::Scene enclosed(description::Scene scene, const PlaneGrid& grid) {
   Bounds bounds{grid.low(), grid.high()};
-  for (const auto& shape : scene.shapes) std::visit(bounds, shape.kind);
+  for (const auto& shape : scene.shapes) visit_known(bounds, shape.kind);
   const Point margin = 0.25 * (bounds.high - bounds.low);
   const Point low = bounds.low - margin, high = bounds.high + margin;
   description::Shape frame;

@@ -21,12 +21,12 @@ struct Reach {
   double farthest = 0, shortest = std::numeric_limits<double>::infinity();
 
   void point(const description::Coordinates& p) {
-    farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1])});
+    farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   }
   void edge(const description::Coordinates& a, const description::Coordinates& b) {
     point(a);
     point(b);
-    shortest = std::min(shortest, std::hypot(b[0] - a[0], b[1] - a[1]));
+    shortest = std::min(shortest, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
   }
   void round(const description::Coordinates& center, double radius) {
     point(center);
@@ -40,6 +40,19 @@ struct Reach {
   }
   void operator()(const description::Circle& s) { round(s.center, s.radius); }
   void operator()(const description::Arc& s) { round(s.center, s.radius); }
+  void operator()(const description::Triangle& s) { triangle(s.points); }
+  void operator()(const description::Parallelogram& s) {
+    for (const auto& e : s.edges)
+      edge(s.origin, {s.origin[0] + e[0], s.origin[1] + e[1], s.origin[2] + e[2]});
+  }
+  void operator()(const description::Sphere& s) { round(s.center, s.radius); }
+  void operator()(const description::Mesh& s) {
+    const auto point = [&](std::int32_t i) { return s.triangles->points[std::size_t(i)]; };
+    for (const auto& [a, b, c] : s.triangles->corners) triangle({point(a), point(b), point(c)});
+  }
+  void triangle(const std::array<description::Coordinates, 3>& points) {
+    for (std::size_t i = 0; i < 3; ++i) edge(points[i], points[(i + 1) % 3]);
+  }
 };
 
 double reflectance_of(const description::MaterialKind& kind) {

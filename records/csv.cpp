@@ -34,7 +34,7 @@ double arc_length(const ShapeKind& kind) {
       throw std::logic_error("a polyline cannot be a sensor");
     }
   };
-  return std::visit(Length{}, kind);
+  return visit_known(Length{}, kind);
 }
 
 std::vector<double> centers_along(double length, int bins) {

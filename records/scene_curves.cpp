@@ -54,7 +54,7 @@ SceneCurves scene_curves(const Scene& scene) {
   SceneCurves curves;
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const Shape& shape = scene.shapes[i];
-    std::visit(CurveAdder{curves}, shape.kind);
+    visit_known(CurveAdder{curves}, shape.kind);
     // The kinds of materials are numbered as description.h lists them.
     const std::size_t material =
         shape.material ? scene.materials.at(*shape.material).kind.index() : 0;

@@ -1,7 +1,7 @@
-// A hierarchy of bounding boxes over the shapes of a scene, in any dimension.
+// A hierarchy of bounding boxes over the primitives of a scene's shapes, in any dimension.
 //
 // Built once by the surface-area heuristic (in the plane: perimeter), deterministic, and invariant
-// when a scene is multiplied by a power of two.  Few shapes make a single leaf, so a small scene
+// when a scene is multiplied by a power of two.  Few primitives make a single leaf, so a small scene
 // pays for no hierarchy.
 #pragma once
 
@@ -11,13 +11,34 @@
 
 namespace wander {
 
+// What a leaf holds of a primitive: in the plane a copy, for a shape is small there; in space its
+// name.
+template <World W, int D = W::dimension>
+struct BvhItem {
+  Shape<W> shape;
+  Element<W> element;
+
+  BvhItem(std::span<const Shape<W>> shapes, Element<W> named)
+      : shape(shapes[static_cast<std::size_t>(named.shape)]), element(named) {}
+  const Shape<W>& shape_in(std::span<const Shape<W>>) const { return shape; }
+};
+template <World W>
+struct BvhItem<W, 3> {
+  Element<W> element;
+
+  BvhItem(std::span<const Shape<W>>, Element<W> named) : element(named) {}
+  const Shape<W>& shape_in(std::span<const Shape<W>> shapes) const {
+    return shapes[static_cast<std::size_t>(element.shape)];
+  }
+};
+
 template <World W>
 class Bvh {
  public:
   using Length = typename W::Length;
 
   Bvh() = default;
-  explicit Bvh(std::span<const Shape<W>> shapes);
+  explicit Bvh(std::span<const Shape<W>> shapes);  // which outlive it
 
   Hit<W> closest(const Ray<W>& ray) const;
   bool any(const Ray<W>& ray) const;
@@ -25,22 +46,24 @@ class Bvh {
  private:
   struct Node {
     Box<W> box;
-    std::int32_t first = 0;  // of its shapes in a leaf, of its two children otherwise
-    std::int32_t count = 0;  // of its shapes; 0 in an inner node
-  };
-  struct Item {
-    Shape<W> shape;
-    ShapeId id;
+    std::int32_t first = 0;  // of its items in a leaf, of its two children otherwise
+    std::int32_t count = 0;  // of its items; 0 in an inner node
   };
   struct Builder;
+
+  Length distance(const BvhItem<W>& item, const ReadyRay<W>& ray) const {
+    return visit_shape([&](const auto& shape) { return shape.intersect(ray, item.element); },
+                       item.shape_in(shapes_));
+  }
 
   // Visits the leaves that the ray may enter, nearest child first; the visitor returns the distance
   // beyond which nothing matters any more.
   template <class Leaf>
   void traverse(const Ray<W>& ray, Leaf&& leaf) const;
 
+  std::span<const Shape<W>> shapes_;
   std::vector<Node> nodes_;
-  std::vector<Item> items_;
+  std::vector<BvhItem<W>> items_;
 };
 
 }  // namespace wander

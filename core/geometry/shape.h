@@ -4,8 +4,10 @@
 #include <utility>
 #include <variant>
 
+#include "core/geometry/mesh.h"
 #include "core/geometry/shapes_flat.h"
 #include "core/geometry/shapes_space.h"
+#include "core/geometry/triangle.h"
 
 namespace wander {
 
@@ -17,14 +19,11 @@ struct ShapesOf<W, 2> {
 };
 template <World W>
 struct ShapesOf<W, 3> {
-  using Variant = std::variant<Parallelogram<W>, Sphere<W>>;
+  using Variant = std::variant<Parallelogram<W>, Triangle<W>, Mesh<W>, Sphere<W>>;
 };
 
 template <World W>
 using Shape = typename ShapesOf<W, W::dimension>::Variant;
-
-// Index of the flat alternative.
-inline constexpr std::size_t flat_shape = 0;
 
 // Alternative i and those after it, one after the other: none of them is looked up in a table.
 template <std::size_t i, class Visitor, class... Shapes>
@@ -35,12 +34,35 @@ decltype(auto) visit_shape_from(Visitor&& visitor, const std::variant<Shapes...>
   return visitor(*found);
 }
 
-// The first alternative, the flat one, is by far the commonest: it is tested first.
+// The first alternative is by far the commonest: it is tested first.
 template <class Visitor, class First, class... Rest>
 decltype(auto) visit_shape(Visitor&& visitor, const std::variant<First, Rest...>& shape) {
   if (const First* first = std::get_if<First>(&shape)) [[likely]]
     return visitor(*first);
   return visit_shape_from<1>(std::forward<Visitor>(visitor), shape);
+}
+
+template <World W>
+std::int32_t primitives(const Shape<W>& shape) {
+  return visit_shape(
+      [](const auto& s) -> std::int32_t {
+        if constexpr (requires { s.primitives(); })
+          return s.primitives();
+        else
+          return 1;
+      },
+      shape);
+}
+template <World W>
+Box<W> bounds(const Shape<W>& shape, std::int32_t primitive) {
+  return visit_shape(
+      [primitive](const auto& s) -> Box<W> {
+        if constexpr (requires { s.primitives(); })
+          return s.bounds(primitive);
+        else
+          return s.bounds();
+      },
+      shape);
 }
 
 }  // namespace wander

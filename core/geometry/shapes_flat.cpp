@@ -29,7 +29,7 @@ Segment<W>::Segment(Point from, Point to)
              std::max(largest_coordinate(from), largest_coordinate(to))) {}
 
 template <World W>
-typename W::Square Segment<W>::parameter(Point p) const {
+typename W::Square Segment<W>::parameter(Point p, PrimitiveId<W>) const {
   const Point along = to_ - from_;
   const Length u = glm::dot(p - from_, along) / glm::dot(along, along);
   return {into_unit<typename W::Real>(u)};
@@ -63,7 +63,7 @@ auto Arc<W>::valid(const Ray<W>& ray, Length distance) const -> Length {
 // |m + t d|² = R² with m from the centre to the origin.  Where the ray touches this curve one root
 // is known, 0 or 1, and is divided out.
 template <World W>
-auto Arc<W>::intersect(const Ray<W>& ray, ShapeId self) const -> Length {
+auto Arc<W>::intersect(const Ray<W>& ray, Element<W> self) const -> Length {
   const Point m = ray.origin - center_;
   const Length dd = glm::dot(ray.direction, ray.direction), md = glm::dot(m, ray.direction);
   const bool leaves = ray.from == self, arrives = ray.to == self;
@@ -87,8 +87,8 @@ SurfacePoint<W> Arc<W>::at(Point q) const {
 }
 
 template <World W>
-SurfacePoint<W> Arc<W>::surface(const Ray<W>& ray, Length distance) const {
-  return at(ray.origin + distance * ray.direction - center_);
+SurfacePoint<W> Arc<W>::surface(const Ray<W>& ray, const Hit<W>& hit) const {
+  return at(ray.origin + hit.distance * ray.direction - center_);
 }
 
 template <World W>
@@ -98,7 +98,7 @@ SurfacePoint<W> Arc<W>::sample(typename W::Square u) const {
 }
 
 template <World W>
-typename W::Square Arc<W>::parameter(Point p) const {
+typename W::Square Arc<W>::parameter(Point p, PrimitiveId<W>) const {
   const Point q = p - center_;
   Length angle = std::atan2(cross(first_, q), glm::dot(first_, q));
   if (angle < 0) {

@@ -1,11 +1,14 @@
 // The curves of Flatland: straight segments and exact circular arcs.
 //
 // A shape offers
-//   intersect(ray, self)   distance to the nearest crossing in (0, limit), or infinity
-//   surface(ray, distance) position and normal of that crossing
-//   sample(u)              the point at parameter u in [0,1), by arc length
-//   parameter(point)       its inverse
+//   intersect(ray, self)        distance to the nearest crossing in (0, limit), or infinity; `self`
+//                               is the element that is asked
+//   surface(ray, hit)           position and normal of that crossing
+//   sample(u)                   the point at parameter u in [0,1), by arc length or area
+//   parameter(point, primitive) its inverse
 //   measure(), bounds()
+//   flat                        no two points of one primitive see each other
+// and a shape of many primitives (mesh.h) also their number, primitives(), and bounds(primitive).
 #pragma once
 
 #include "core/ray.h"
@@ -22,12 +25,13 @@ class Segment {
  public:
   using Length = typename W::Length;
   using Point = typename W::Point;
+  static constexpr bool flat = true;
 
   Segment(Point from, Point to);
 
   // The end points are classified by the side of the ray they lie on, so segments that share an end
   // point leave no gap: a ray through it crosses exactly one of the two.
-  Length intersect(const Ray<W>& ray, ShapeId self) const {
+  Length intersect(const Ray<W>& ray, Element<W> self) const {
     if (ray.from == self || ray.to == self) return miss();
     const Point a = from_ - ray.origin, b = to_ - ray.origin;
     const Length side_a = cross(ray.direction, a), side_b = cross(ray.direction, b);
@@ -39,7 +43,7 @@ class Segment {
     const Length distance = numerator / std::abs(side_b - side_a);
     return distance < ray.limit ? std::max(distance, Length(0)) : miss();
   }
-  SurfacePoint<W> surface(const Ray<W>& ray, Length) const {
+  SurfacePoint<W> surface(const Ray<W>& ray, const Hit<W>&) const {
     const Length side_a = cross(ray.direction, from_ - ray.origin);
     const Length side_b = cross(ray.direction, to_ - ray.origin);
     return {from_ + (to_ - from_) * (side_a / (side_a - side_b)), normal_};
@@ -47,7 +51,7 @@ class Segment {
   SurfacePoint<W> sample(typename W::Square u) const {
     return {from_ + (to_ - from_) * Length(u[0]), normal_};
   }
-  typename W::Square parameter(Point p) const;
+  typename W::Square parameter(Point p, PrimitiveId<W> = {}) const;
   Length measure() const { return length_; }
   Box<W> bounds() const { return {glm::min(from_, to_), glm::max(from_, to_)}; }
 
@@ -64,14 +68,15 @@ class Arc {
  public:
   using Length = typename W::Length;
   using Point = typename W::Point;
+  static constexpr bool flat = false;
   enum class Facing { outward, inward };
 
   Arc(Point center, Length radius, Length start_radians, Length extent_radians, Facing facing);
 
-  Length intersect(const Ray<W>& ray, ShapeId self) const;
-  SurfacePoint<W> surface(const Ray<W>& ray, Length distance) const;
+  Length intersect(const Ray<W>& ray, Element<W> self) const;
+  SurfacePoint<W> surface(const Ray<W>& ray, const Hit<W>& hit) const;
   SurfacePoint<W> sample(typename W::Square u) const;
-  typename W::Square parameter(Point p) const;
+  typename W::Square parameter(Point p, PrimitiveId<W> = {}) const;
   Length measure() const { return radius_ * extent_; }
   Box<W> bounds() const;
 

@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <numbers>
 
+#include "core/geometry/triangle.h"
+
 namespace wander {
 
 namespace {
@@ -32,7 +34,7 @@ auto Sphere<W>::valid(const Ray<W>& ray, Length distance) const -> Length {
 
 // As Arc::intersect: where the ray touches the sphere one root is known, and is divided out.
 template <World W>
-auto Sphere<W>::intersect(const Ray<W>& ray, ShapeId self) const -> Length {
+auto Sphere<W>::intersect(const Ray<W>& ray, Element<W> self) const -> Length {
   const Point m = ray.origin - center_;
   const Length dd = glm::dot(ray.direction, ray.direction), md = glm::dot(m, ray.direction);
   const bool leaves = ray.from == self, arrives = ray.to == self;
@@ -55,8 +57,8 @@ SurfacePoint<W> Sphere<W>::at(Point q) const {
 }
 
 template <World W>
-SurfacePoint<W> Sphere<W>::surface(const Ray<W>& ray, Length distance) const {
-  return at(ray.origin + distance * ray.direction - center_);
+SurfacePoint<W> Sphere<W>::surface(const Ray<W>& ray, const Hit<W>& hit) const {
+  return at(ray.origin + hit.distance * ray.direction - center_);
 }
 
 // Archimedes: height and azimuth are uniform.
@@ -68,7 +70,7 @@ SurfacePoint<W> Sphere<W>::sample(typename W::Square u) const {
 }
 
 template <World W>
-typename W::Square Sphere<W>::parameter(Point p) const {
+typename W::Square Sphere<W>::parameter(Point p, PrimitiveId<W>) const {
   const Point q = glm::normalize(p - center_);
   const Length turn = std::atan2(q.y, q.x) / (2 * std::numbers::pi_v<Length>);
   using Real = typename W::Real;
@@ -82,7 +84,10 @@ auto Sphere<W>::measure() const -> Length {
 
 template <World W>
 Parallelogram<W>::Parallelogram(Point origin, Point edge0, Point edge1)
-    : origin_(origin), edge0_(edge0), edge1_(edge1) {
+    : origin_(origin),
+      edge0_(edge0),
+      edge1_(edge1),
+      corners_{origin, origin + edge0, origin + edge0 + edge1, origin + edge1} {
   const Point area = glm::cross(edge0, edge1);
   area_ = glm::length(area);
   normal_ = area / area_;
@@ -91,19 +96,26 @@ Parallelogram<W>::Parallelogram(Point origin, Point edge0, Point edge1)
 }
 
 template <World W>
-auto Parallelogram<W>::intersect(const Ray<W>& ray, ShapeId self) const -> Length {
+auto Parallelogram<W>::intersect(const ShearedRay<W>& ray, Element<W> self) const -> Length {
   if (ray.from == self || ray.to == self) return nothing<Length>;
+  const std::array<ShearedPoint<W>, 4> p{
+      ShearedPoint<W>(ray, corners_[0]), ShearedPoint<W>(ray, corners_[1]),
+      ShearedPoint<W>(ray, corners_[2]), ShearedPoint<W>(ray, corners_[3])};
+  const Length a = side_of(p[0], p[1]), b = side_of(p[1], p[2]), c = side_of(p[2], p[3]),
+               d = side_of(p[3], p[0]);
+  if ((a < 0 || b < 0 || c < 0 || d < 0) && (a > 0 || b > 0 || c > 0 || d > 0))
+    return nothing<Length>;
   const Length distance =
       glm::dot(origin_ - ray.origin, normal_) / glm::dot(ray.direction, normal_);
-  if (!(distance >= 0 && distance < ray.limit)) return nothing<Length>;
-  const Point q = ray.origin + distance * ray.direction - origin_;
-  const Length u = glm::dot(q, dual0_), v = glm::dot(q, dual1_);
-  return u >= 0 && u <= 1 && v >= 0 && v <= 1 ? distance : nothing<Length>;
+  if (!(distance < ray.limit)) return nothing<Length>;
+  if (distance > 0) [[likely]]
+    return distance;
+  return lies_on_plane<W>(ray.origin, origin_, normal_) ? Length(0) : nothing<Length>;
 }
 
 template <World W>
-SurfacePoint<W> Parallelogram<W>::surface(const Ray<W>& ray, Length distance) const {
-  return {ray.origin + distance * ray.direction, normal_};
+SurfacePoint<W> Parallelogram<W>::surface(const Ray<W>& ray, const Hit<W>& hit) const {
+  return {ray.origin + hit.distance * ray.direction, normal_};
 }
 
 template <World W>
@@ -112,7 +124,7 @@ SurfacePoint<W> Parallelogram<W>::sample(typename W::Square u) const {
 }
 
 template <World W>
-typename W::Square Parallelogram<W>::parameter(Point p) const {
+typename W::Square Parallelogram<W>::parameter(Point p, PrimitiveId<W>) const {
   using Real = typename W::Real;
   return {to_unit<Real>(glm::dot(p - origin_, dual0_)),
           to_unit<Real>(glm::dot(p - origin_, dual1_))};

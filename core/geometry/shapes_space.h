@@ -1,4 +1,5 @@
-// The surfaces of Spaceland: spheres and parallelograms.  The interface is that of shapes_flat.h.
+// The smooth surfaces of Spaceland, spheres and parallelograms.  The interface is that of
+// shapes_flat.h.
 #pragma once
 
 #include "core/geometry/shapes_flat.h"
@@ -10,14 +11,15 @@ class Sphere {
  public:
   using Length = typename W::Length;
   using Point = typename W::Point;
+  static constexpr bool flat = false;
   enum class Facing { outward, inward };
 
   Sphere(Point center, Length radius, Facing facing);
 
-  Length intersect(const Ray<W>& ray, ShapeId self) const;
-  SurfacePoint<W> surface(const Ray<W>& ray, Length distance) const;
+  Length intersect(const Ray<W>& ray, Element<W> self) const;
+  SurfacePoint<W> surface(const Ray<W>& ray, const Hit<W>& hit) const;
   SurfacePoint<W> sample(typename W::Square u) const;
-  typename W::Square parameter(Point p) const;
+  typename W::Square parameter(Point p, PrimitiveId<W> = {}) const;
   Length measure() const;
   Box<W> bounds() const { return {center_ - Point(radius_), center_ + Point(radius_)}; }
 
@@ -29,23 +31,27 @@ class Sphere {
   Length radius_, facing_;
 };
 
+// Its edges are those of triangle.h: where two sheets share corners, bit for bit, no ray passes
+// between them.
 template <World W>
 class Parallelogram {
  public:
   using Length = typename W::Length;
   using Point = typename W::Point;
+  static constexpr bool flat = true;
 
   Parallelogram(Point origin, Point edge0, Point edge1);
 
-  Length intersect(const Ray<W>& ray, ShapeId self) const;
-  SurfacePoint<W> surface(const Ray<W>& ray, Length distance) const;
+  Length intersect(const ShearedRay<W>& ray, Element<W> self) const;
+  SurfacePoint<W> surface(const Ray<W>& ray, const Hit<W>& hit) const;
   SurfacePoint<W> sample(typename W::Square u) const;
-  typename W::Square parameter(Point p) const;
+  typename W::Square parameter(Point p, PrimitiveId<W> = {}) const;
   Length measure() const { return area_; }
   Box<W> bounds() const;
 
  private:
   Point origin_, edge0_, edge1_, normal_;
+  std::array<Point, 4> corners_;
   Point dual0_, dual1_;  // dot(p - origin, dual) are the coordinates along the edges
   Length area_;
 };

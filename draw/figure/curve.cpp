@@ -84,7 +84,7 @@ std::string data(const description::Polyline& polyline, const PageMap& map) {
 
 std::vector<Curve> curves(const description::ShapeKind& shape) {
   using Curves = std::vector<Curve>;
-  return std::visit(
+  return visit_known(
       Overloaded{[](const description::Segment& s) {
                    return Curves{Line{flat(s.from), flat(s.to)}};
                  },

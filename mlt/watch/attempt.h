@@ -154,8 +154,11 @@ class WatchedSpace : public Space {
   Attempt::Point obstacle(const Path<W>& x, int i) const {
     const auto &a = x[i].place, &b = x[i + 1].place;
     const auto offset = b.position - a.position;
-    const Ray<W> ray{
-        .origin = a.position, .direction = offset, .from = a.shape, .to = b.shape, .limit = 1};
+    const Ray<W> ray{.origin = a.position,
+                     .direction = offset,
+                     .from = a.element(),
+                     .to = b.element(),
+                     .limit = 1};
     const Hit<W> hit = this->scene().closest(ray);
     const auto share =
         static_cast<typename W::Length>(hit && hit.distance < 1 ? hit.distance : 0.5);

@@ -1,5 +1,6 @@
 #include "scenes/format/build_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,10 +16,17 @@ constexpr double full_turn = 2 * std::numbers::pi;
 
 template <World W>
 typename W::Point point(const description::Coordinates& c) {
-  return {c[0] + 0.0, c[1] + 0.0};  // -0 is 0
+  typename W::Point p;
+  for (int axis = 0; axis < W::dimension; ++axis)
+    p[axis] = c[static_cast<std::size_t>(axis)] + 0.0;  // -0 is 0
+  return p;
 }
 
-double grey(const description::Quantity& q) { return q.channels[0]; }
+// Luminance, of linear Rec. 709.
+double grey(const description::Quantity& q) {
+  const auto& [red, green, blue] = q.channels;
+  return q.coloured ? 0.2126 * red + 0.7152 * green + 0.0722 * blue : red;
+}
 
 // As the world holds them: float knows fewer of them apart.
 template <class Real>
@@ -26,50 +34,87 @@ bool indices_match(Real a, Real b) {
   return std::abs(a / b - 1) < matched_below;
 }
 
-// Adds shapes that share a material, a light and a sensor.
-template <World W>
-struct PartAdder {
-  SceneParts<W>& parts;
-  std::size_t material;
-  typename W::Real radiance;
-  bool is_sensor;
+template <class Round>
+typename Round::Facing facing(bool flipped) {
+  return flipped ? Round::Facing::inward : Round::Facing::outward;
+}
 
-  void add(Shape<W> shape) { parts.parts.push_back({shape, material, radiance, is_sensor}); }
+// Calls add(shape) for what a shape of the description is made of.
+template <World W, class Add, int D = W::dimension>
+struct ShapeMaker {
+  Add add;
 
-  void operator()(const description::Segment& s) {
+  void operator()(const description::Segment& s) const {
     add(Segment<W>(point<W>(s.from), point<W>(s.to)));
   }
-  void operator()(const description::Polyline& s) {
+  void operator()(const description::Polyline& s) const {
     for (std::size_t i = 0; i + 1 < s.points.size(); ++i)
       add(Segment<W>(point<W>(s.points[i]), point<W>(s.points[i + 1])));
     if (s.closed) add(Segment<W>(point<W>(s.points.back()), point<W>(s.points.front())));
   }
-  void operator()(const description::Circle& s) {
-    add(Arc<W>(point<W>(s.center), s.radius, 0, full_turn, facing(s.flip)));
+  void operator()(const description::Circle& s) const {
+    add(Arc<W>(point<W>(s.center), s.radius, 0, full_turn, facing<Arc<W>>(s.flip)));
   }
-  void operator()(const description::Arc& s) {
+  void operator()(const description::Arc& s) const {
     double extent = s.to_degrees - s.from_degrees;
     while (extent <= 0) extent += 360;
     const double radian = std::numbers::pi / 180;
     const double turn = extent >= 360 ? full_turn : extent * radian;
-    add(Arc<W>(point<W>(s.center), s.radius, s.from_degrees * radian, turn, facing(s.flip)));
-  }
-  static typename Arc<W>::Facing facing(bool flipped) {
-    return flipped ? Arc<W>::Facing::inward : Arc<W>::Facing::outward;
+    add(Arc<W>(point<W>(s.center), s.radius, s.from_degrees * radian, turn,
+               facing<Arc<W>>(s.flip)));
   }
 };
+template <World W, class Add>
+struct ShapeMaker<W, Add, 3> {
+  Add add;
+  typename Mesh<W>::Role role;
+
+  void operator()(const description::Triangle& s) const {
+    add(Triangle<W>(point<W>(s.points[0]), point<W>(s.points[1]), point<W>(s.points[2])));
+  }
+  void operator()(const description::Parallelogram& s) const {
+    add(Parallelogram<W>(point<W>(s.origin), point<W>(s.edges[0]), point<W>(s.edges[1])));
+  }
+  void operator()(const description::Sphere& s) const {
+    add(Sphere<W>(point<W>(s.center), s.radius, facing<Sphere<W>>(s.flip)));
+  }
+  void operator()(const description::Mesh& s) const { add(Mesh<W>(s.triangles, role)); }
+};
+
+template <World W, class Add>
+auto shape_maker(const description::Shape& shape, Add add) {
+  if constexpr (W::dimension == 2)
+    return ShapeMaker<W, Add>{add};
+  else
+    return ShapeMaker<W, Add>{add, shape.light ? Mesh<W>::Role::emitter : Mesh<W>::Role::passive};
+}
+
+// In the order of film coordinates: to the right, and in space down.
+template <World W>
+auto film_axes(const description::Camera& c, typename W::Direction axis)
+    -> std::array<typename W::Direction, W::dimension - 1> {
+  if constexpr (W::dimension == 2) {
+    return {-left_of(axis)};
+  } else {
+    const auto right = glm::normalize(glm::cross(axis, glm::normalize(point<W>(c.up))));
+    return {right, glm::cross(axis, right)};
+  }
+}
 
 template <World W>
 Camera<W> build_camera(const description::Camera& c) {
   const typename W::Point offset = point<W>(c.target) - point<W>(c.position);
   const typename W::Point axis = glm::normalize(offset);
-  const double half = std::tan(c.fov_degrees * std::numbers::pi / 360);
-  return {.position = point<W>(c.position),
-          .axis = axis,
-          .across = {-left_of(axis)},  // bin 0 is leftmost
-          .extent = {2 * half},
-          .lens_radius = c.aperture_radius,
-          .focus_distance = c.focus_distance.value_or(glm::length(offset))};
+  const double width = 2 * std::tan(c.fov_degrees * std::numbers::pi / 360);
+  Camera<W> camera{.position = point<W>(c.position),
+                   .axis = axis,
+                   .across = film_axes<W>(c, axis),
+                   .extent = {width},
+                   .lens_radius = c.aperture_radius,
+                   .focus_distance = c.focus_distance.value_or(glm::length(offset))};
+  for (std::size_t k = 1; k < camera.extent.size(); ++k)  // pixels are square
+    camera.extent[k] = width * c.resolution[k] / c.resolution[0];
+  return camera;
 }
 
 }  // namespace
@@ -109,25 +154,30 @@ Material<W> build_material(const description::MaterialKind& kind) {
 }
 
 template <World W>
-std::unique_ptr<const Scene<W>> build_flatland(const description::Scene& scene) {
+std::unique_ptr<const Scene<W>> build_scene(const description::Scene& scene) {
   SceneParts<W> parts;
   parts.max_vertices = scene.max_vertices;
+  // Files say the width first, films have the fastest axis last.
   parts.resolution = film_shape(scene);
+  std::ranges::reverse(parts.resolution);
   for (const auto& m : scene.materials) parts.materials.push_back(build_material<W>(m.kind));
   const std::size_t black = parts.materials.size();
   parts.materials.push_back(Black<W>{});
   for (const auto& shape : scene.shapes) {
     const double radiance = shape.light ? grey(shape.light->radiance) : 0;
-    PartAdder<W> adder{parts, shape.material.value_or(black),
-                       static_cast<typename W::Real>(radiance), shape.sensor.has_value()};
-    std::visit(adder, shape.kind);
+    const auto add = [&](Shape<W> made) {
+      parts.parts.push_back({std::move(made), shape.material.value_or(black),
+                             static_cast<typename W::Real>(radiance), shape.sensor.has_value()});
+    };
+    visit_known(shape_maker<W>(shape, add), shape.kind);
   }
   if (scene.camera) parts.camera = build_camera<W>(*scene.camera);
   return std::make_unique<const Scene<W>>(std::move(parts));
 }
 
-template std::unique_ptr<const Scene<Flatland>> build_flatland(const description::Scene&);
-template std::unique_ptr<const Scene<FlatlandSingle>> build_flatland(const description::Scene&);
+template std::unique_ptr<const Scene<Flatland>> build_scene(const description::Scene&);
+template std::unique_ptr<const Scene<FlatlandSingle>> build_scene(const description::Scene&);
+template std::unique_ptr<const Scene<Spaceland>> build_scene(const description::Scene&);
 template Material<Flatland> build_material<Flatland>(const description::MaterialKind&);
 template Material<FlatlandSingle> build_material<FlatlandSingle>(const description::MaterialKind&);
 template Material<Spaceland> build_material<Spaceland>(const description::MaterialKind&);

@@ -8,10 +8,16 @@
 
 namespace wander {
 
-// The description is valid, as the reader of scene files leaves it.  `W` is a world of two
-// dimensions, in the precision that is wanted.
+// The description is valid, as the reader of scene files leaves it, and of the dimension of `W`.
+// Where `W` has one channel, a colour is its luminance.
+template <World W>
+std::unique_ptr<const Scene<W>> build_scene(const description::Scene& scene);
+
+// In a world of two dimensions, in the precision that is wanted.
 template <World W = Flatland>
-std::unique_ptr<const Scene<W>> build_flatland(const description::Scene& scene);
+std::unique_ptr<const Scene<W>> build_flatland(const description::Scene& scene) {
+  return build_scene<W>(scene);
+}
 
 // The materials as the scene models them: roughness below 1e-8 is smooth, and an interface of rough
 // glass between equal indices lets everything pass.

@@ -49,14 +49,18 @@ std::vector<Fault> located(std::vector<JsonFault> faults, std::string_view text)
   return result;
 }
 
-// Of a document that is JSON.
-std::vector<JsonFault> faults_in(const JsonDocument& document, std::vector<JsonFault> faults) {
+// Of a document that is JSON; reads the meshes that it names.
+std::vector<JsonFault> faults_in(const JsonDocument& document, std::vector<JsonFault> faults,
+                                 const std::optional<std::filesystem::path>& folder,
+                                 SceneMeshes& meshes) {
   const bool is_valid = conforms(document, scene_schema_text);
   Explanation explanation;
   if (!is_valid) explanation = explain(document, scene_schema_text);
   faults.insert(faults.end(), explanation.faults.begin(), explanation.faults.end());
   const auto more = check_scene(document, faults, explanation.meant);
   faults.insert(faults.end(), more.begin(), more.end());
+  const auto of_meshes = meshes.read(document, faults, folder);
+  faults.insert(faults.end(), of_meshes.begin(), of_meshes.end());
   if (!is_valid && faults.empty())
     faults.push_back(document.fault(document.root(), "this is no scene; see scene.schema.json"));
   return faults;
@@ -106,16 +110,18 @@ SceneFileError::SceneFileError(std::string file_name, std::vector<Fault> found)
       file(std::move(file_name)),
       faults(std::move(found)) {}
 
-SceneDocument parse_scene(std::string text, std::string_view name) {
+SceneDocument parse_scene(std::string text, std::string_view name,
+                          const std::optional<std::filesystem::path>& folder) {
   const std::string file(name);
   refuse_if_large(text.size(), file);
   JsonReading reading = read_json(text);
   std::vector<JsonFault> faults = std::move(reading.faults);
-  if (reading.document) faults = faults_in(*reading.document, std::move(faults));
+  SceneMeshes meshes;
+  if (reading.document) faults = faults_in(*reading.document, std::move(faults), folder, meshes);
   if (!faults.empty()) throw SceneFileError(file, located(std::move(faults), text));
 
   SceneDocument result;
-  result.scene = build_description(*reading.document, text);
+  result.scene = build_description(*reading.document, text, meshes);
   result.warnings = lint(result.scene);
   result.sha256 = sha256(text);
   result.text = std::move(text);
@@ -129,7 +135,8 @@ SceneDocument read_scene(std::istream& stream, std::string_view name) {
 }
 
 SceneDocument read_scene_file(const std::filesystem::path& path) {
-  return parse_scene(contents_of(path), path.string());
+  const std::filesystem::path folder = path.parent_path();
+  return parse_scene(contents_of(path), path.string(), folder.empty() ? "." : folder);
 }
 
 }  // namespace wander

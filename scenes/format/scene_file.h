@@ -2,12 +2,13 @@
 //
 // A text is valid when it is JSON (with // and /* */ comments), conforms to
 // schema/scene.schema.json, and holds together: references resolve, there is one sensor and a
-// light, nothing is degenerate.  Any input is safe to read: what is too large, too deep or too long
+// light, nothing is degenerate, and the meshes that it names can be read.  Any input is safe to read: what is too large, too deep or too long
 // is refused before it costs memory, with the same kind of message.
 #pragma once
 
 #include <filesystem>
 #include <iosfwd>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -34,8 +35,10 @@ class SceneFileError : public std::runtime_error {
   const std::vector<Fault> faults;
 };
 
-// The name stands for the file in messages.  All throw SceneFileError.
-SceneDocument parse_scene(std::string text, std::string_view name);
+// The name stands for the file in messages; meshes lie in the folder, and a scene without one has
+// none.  All throw SceneFileError.
+SceneDocument parse_scene(std::string text, std::string_view name,
+                          const std::optional<std::filesystem::path>& folder = std::nullopt);
 SceneDocument read_scene(std::istream& stream, std::string_view name);
 SceneDocument read_scene_file(const std::filesystem::path& path);
 

@@ -5,13 +5,16 @@
 
 #include "core/description.h"
 #include "scenes/format/json_document.h"
+#include "scenes/format/scene_meshes.h"
 
 namespace wander {
 
-// The document is valid and two-dimensional.
-description::Scene build_description(const JsonDocument& document, std::string_view text);
+// The document is valid, and its meshes are read.
+description::Scene build_description(const JsonDocument& document, std::string_view text,
+                                     const SceneMeshes& meshes);
 
-// The geometry of one valid shape, in a document that need not be valid elsewhere.
+// The geometry of one valid shape, in a document that need not be valid elsewhere; of a mesh its
+// file alone.
 description::ShapeKind build_shape_kind(const nlohmann::ordered_json& shape);
 
 }  // namespace wander

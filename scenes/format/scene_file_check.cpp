@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/glm.hpp>
 #include <unordered_map>
 
 #include "scenes/format/json_text.h"
@@ -23,7 +24,20 @@ constexpr double shortest_length = 1e-150;
 constexpr const char* too_short =
     "shorter than 1e-150, the least length that can be computed with; enlarge the scene";
 bool too_near(const Coordinates& a, const Coordinates& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]) < shortest_length;
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < shortest_length;
+}
+
+// Narrower than this share of its longer side, a surface has no normal.
+constexpr double least_breadth = 1e-14;
+glm::dvec3 vector(const Coordinates& c) { return {c[0], c[1], c[2]}; }
+bool is_narrow(const Coordinates& edge, const Coordinates& other) {
+  const glm::dvec3 a = vector(edge), b = vector(other);
+  const auto largest = glm::max(glm::abs(a), glm::abs(b));
+  const double size = std::max({largest.x, largest.y, largest.z});
+  return glm::length(glm::cross(a / size, b / size)) < least_breadth;
+}
+Coordinates difference(const Coordinates& a, const Coordinates& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 class Check {
@@ -37,17 +51,21 @@ class Check {
   std::vector<JsonFault> of_document() &&;
 
  private:
-  void check_dimension();
   void check_materials(const std::vector<JsonMember>& shapes);
   void check_reference(JsonNode shape, JsonNode reference);
   void check_counts(JsonNode list, const std::vector<JsonMember>& shapes);
   void check_geometry(const std::vector<JsonMember>& shapes);
   void check_camera();
+  void check_up(JsonNode camera, const Coordinates& view);
 
   void check_shape(JsonNode shape, const Segment& segment);
   void check_shape(JsonNode shape, const Polyline& polyline);
   void check_shape(JsonNode shape, const Circle& circle) { check_radius(shape, circle.radius); }
   void check_shape(JsonNode shape, const Arc& arc);
+  void check_shape(JsonNode shape, const Triangle& triangle);
+  void check_shape(JsonNode shape, const Parallelogram& parallelogram);
+  void check_shape(JsonNode shape, const Sphere& sphere) { check_radius(shape, sphere.radius); }
+  void check_shape(JsonNode shape, const Mesh&);
   void check_radius(JsonNode shape, double radius) {
     if (radius < shortest_length) note(at(shape, "radius"), too_short);
   }
@@ -77,22 +95,15 @@ class Check {
 };
 
 std::vector<JsonFault> Check::of_document() && {
-  check_dimension();
   check_camera();
   const auto list = document_.find(document_.root(), "shapes");
   if (list && (*list)->is_array()) {
     const std::vector<JsonMember> shapes = document_.children(*list);
     check_materials(shapes);
     check_counts(*list, shapes);
-    if (!has_dimension(3) && knows_all_) check_geometry(shapes);
+    if (knows_all_) check_geometry(shapes);
   }
   return std::move(faults_);
-}
-
-void Check::check_dimension() {
-  if (has_dimension(3))
-    note(at(document_.root(), "dimension"),
-         "this version renders \"dimension\": 2 only; scenes in 3 dimensions come later");
 }
 
 void Check::check_materials(const std::vector<JsonMember>& shapes) {
@@ -199,19 +210,81 @@ void Check::check_shape(JsonNode shape, const Arc& arc) {
                                           std::abs(arc.to_degrees - arc.from_degrees)));
 }
 
+void Check::check_shape(JsonNode shape, const Triangle& triangle) {
+  const auto& [a, b, c] = triangle.points;
+  const JsonNode list = at(shape, "points");
+  const std::vector<JsonMember> nodes = document_.children(list);
+  if (same_point(a, b) || same_point(b, c) || same_point(c, a))
+    note(nodes[same_point(a, b) ? 1 : 2].node,
+         "this repeats a corner; a triangle has three different ones");
+  else if (too_near(a, b) || too_near(b, c) || too_near(c, a))
+    note(list, too_short);
+  else if (is_narrow(difference(b, a), difference(c, a)))
+    note(list, "the corners lie on a line; a triangle has an area > 0");
+}
+
+void Check::check_shape(JsonNode shape, const Parallelogram& parallelogram) {
+  const JsonNode list = at(shape, "edges");
+  const std::vector<JsonMember> nodes = document_.children(list);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (too_near(parallelogram.edges[i], {})) {
+      note(nodes[i].node, same_point(parallelogram.edges[i], {})
+                              ? "this edge has no length; a parallelogram has an area > 0"
+                              : too_short);
+      return;
+    }
+  if (is_narrow(parallelogram.edges[0], parallelogram.edges[1]))
+    note(list, "the edges are parallel; a parallelogram has an area > 0");
+}
+
+void Check::check_shape(JsonNode shape, const Mesh&) {
+  const auto transform = document_.find(shape, "transform");
+  if (!transform) return;
+  const nlohmann::ordered_json& rows = *transform->value;
+  const std::array<double, 4> last{0, 0, 0, 1};
+  if (rows.size() == 4 && rows[3].get<std::array<double, 4>>() != last)
+    note(document_.children(*transform)[3].node,
+         "a fourth row is 0, 0, 0, 1: a transform is affine");
+  glm::dmat3 linear;
+  double largest = 0;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      linear[column][row] = rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+      largest = std::max(largest, std::abs(linear[column][row]));
+    }
+  if (!(largest > 0) || glm::determinant(linear / largest) == 0)
+    note(*transform, "the transform flattens the mesh; its first three columns are independent");
+}
+
 void Check::check_camera() {
   const auto camera = document_.find(document_.root(), "camera");
   if (!camera) return;
   const auto position = document_.find(*camera, "position"),
              target = document_.find(*camera, "target");
   if (!position || !target || is_faulty(*position) || is_faulty(*target)) return;
+  if ((has_dimension(3) ? 3u : 2u) != std::min((*position)->size(), (*target)->size())) return;
   const auto apart = [&](std::size_t axis) {
     return position->value->at(axis).get<double>() - target->value->at(axis).get<double>();
   };
   if (*position->value == *target->value)
     note(*target, "position and target are the same point; a camera looks from one to another");
-  else if (!has_dimension(3) && std::hypot(apart(0), apart(1)) < shortest_length)
+  else if (std::hypot(apart(0), apart(1), has_dimension(3) ? apart(2) : 0) < shortest_length)
     note(*target, "nearer to position than 1e-150, the least length that can be computed with");
+  else if (has_dimension(3))
+    check_up(*camera, {apart(0), apart(1), apart(2)});
+}
+
+void Check::check_up(JsonNode camera, const Coordinates& view) {
+  const auto up = document_.find(camera, "up");
+  if (up && is_faulty(*up)) return;
+  const Coordinates y{0, 1, 0};
+  const Coordinates direction = up ? (*up)->get<Coordinates>() : y;
+  if (same_point(direction, {}))
+    note(*up, "up has no length; it is the direction that is up in the picture");
+  else if (is_narrow(direction, view))
+    note(up ? *up : camera, fmt::format("the camera looks along {}; {} \"up\" across the view",
+                                        up ? "up" : "y, which is its up unless it says otherwise",
+                                        up ? "choose an" : "give it an"));
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ Pieces pieces_of(const description::Scene& scene) {
     cutter.blank.shape = i;
     cutter.blank.is_light = shape.light.has_value();
     cutter.blank.is_sensor = shape.sensor.has_value();
-    std::visit(cutter, shape.kind);
+    visit_known(cutter, shape.kind);
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
   glm::dvec2 low(infinity), high(-infinity);

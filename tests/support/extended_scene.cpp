@@ -3,7 +3,7 @@
 
 namespace wander {
 
-template std::unique_ptr<const Scene<test::FlatlandExtended>> build_flatland(
+template std::unique_ptr<const Scene<test::FlatlandExtended>> build_scene(
     const description::Scene&);
 
 }  // namespace wander

@@ -10,7 +10,7 @@ namespace wander::test {
 template <class W>
 bool identical(const Vertex<W>& a, const Vertex<W>& b) {
   return a.place.position == b.place.position && a.place.normal == b.place.normal &&
-         a.place.to_sensor == b.place.to_sensor && a.place.shape == b.place.shape &&
+         a.place.to_sensor == b.place.to_sensor && a.place.element() == b.place.element() &&
          a.geometry == b.geometry && a.value == b.value && a.from_light == b.from_light &&
          a.from_sensor == b.from_sensor && a.event == b.event;
 }

@@ -35,49 +35,73 @@ class Hierarchy : public ::testing::Test {
                     inward ? Arc<W>::Facing::inward : Arc<W>::Facing::outward);
     } else {
       const Point other = unit * size * random_direction<D>(g);
+      if (flat && inward) return Triangle<W>(center, center + edge, center + other);
       if (flat && level) return Parallelogram<W>(center, Point(edge.x, 0, 0), Point(0, other.y, 0));
       if (flat) return Parallelogram<W>(center, edge, other);
       return Sphere<W>(center, unit * size,
                        inward ? Sphere<W>::Facing::inward : Sphere<W>::Facing::outward);
     }
   }
+  // Some of many primitives.
   static Shapes random_shapes(Generator& g, int count, double unit = 1) {
     Shapes shapes;
-    for (int i = 0; i < count; ++i) shapes.push_back(random_shape(g, unit));
+    for (int i = 0; i < count; ++i) {
+      shapes.push_back(random_shape(g, unit));
+      if constexpr (D == 3)
+        if (g.uniform() < 0.1) shapes.push_back(random_mesh(g, unit));
+    }
     return shapes;
+  }
+  static Shape<W> random_mesh(Generator& g, double unit) requires(D == 3) {
+    auto triangles = std::make_shared<Triangles>();
+    const int count = 3 + static_cast<int>(30 * g.uniform());
+    const double size = std::pow(10, -2 * g.uniform());
+    const Point center = random_point(g);
+    for (int i = 0; i < count; ++i) {
+      const Point p = unit * (center + size * random_point(g));
+      triangles->points.push_back({p.x, p.y, p.z});
+      if (i >= 2) triangles->corners.push_back({i - 2, i - 1, i});
+    }
+    return Mesh<W>(triangles, Mesh<W>::Role::emitter);
   }
 
   // From the open or from a surface; anywhere, along an axis, or as a connection.
   static Ray<W> random_ray(Generator& g, const Shapes& shapes, double unit = 1) {
-    const auto pick = [&] {
-      return static_cast<ShapeId>(g.uniform() * static_cast<double>(shapes.size()));
-    };
-    const auto point_on = [&](ShapeId id) {
+    const auto point_on_any = [&](Element<W>& element) {
+      const auto id = static_cast<std::size_t>(g.uniform() * static_cast<double>(shapes.size()));
       const auto u = random_square<D>(g);
-      return visit_shape([&](const auto& s) { return s.sample(u).position; },
-                         shapes[static_cast<std::size_t>(id)]);
+      const auto point = visit_shape([&](const auto& s) { return s.sample(u); }, shapes[id]);
+      element = Element<W>(static_cast<ShapeId>(id), point.primitive);
+      return point.position;
     };
     Ray<W> ray{.origin = 1.5 * unit * random_point(g), .direction = random_direction<D>(g)};
-    if (g.uniform() < 0.5 && !shapes.empty()) ray.origin = point_on(ray.from = pick());
+    if (g.uniform() < 0.5 && !shapes.empty()) ray.origin = point_on_any(ray.from);
     if (g.uniform() < 0.1) {
       ray.direction = Point(0);
       ray.direction[static_cast<int>(D * g.uniform())] = g.uniform() < 0.5 ? -1 : 1;
     }
     if (g.uniform() < 0.3 && !shapes.empty()) {
-      ray.to = pick();
-      ray.direction = point_on(ray.to) - ray.origin;
+      ray.direction = point_on_any(ray.to) - ray.origin;
       ray.limit = 1;
     }
     return ray;
   }
 
+  static PrimitiveId<W> primitive(std::int32_t k) {
+    if constexpr (D == 2)
+      return {};
+    else
+      return k;
+  }
   static Hit<W> search(const Shapes& shapes, const Ray<W>& ray) {
     Hit<W> hit{no_shape, ray.limit};
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-      const auto id = static_cast<ShapeId>(i);
-      const double d = visit_shape([&](const auto& s) { return s.intersect(ray, id); }, shapes[i]);
-      if (d < hit.distance) hit = {id, d};
-    }
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+      for (std::int32_t k = 0; k < primitives<W>(shapes[i]); ++k) {
+        const Element<W> element(static_cast<ShapeId>(i), primitive(k));
+        const double d =
+            visit_shape([&](const auto& s) { return s.intersect(ray, element); }, shapes[i]);
+        if (d < hit.distance) hit = {element.shape, d, element.primitive};
+      }
     return hit;
   }
 };
@@ -102,6 +126,7 @@ TYPED_TEST(Hierarchy, FindsTheClosestHit) {
       ++hits;
       ASSERT_EQ(hit.distance, expected.distance);
       ASSERT_EQ(hit.shape, expected.shape);
+      ASSERT_EQ(hit.primitive, expected.primitive);
     }
   }
   EXPECT_GT(hits, rays / 4);  // the scenes were worth looking at
@@ -128,7 +153,7 @@ TYPED_TEST(Hierarchy, IsBlindToPowersOfTwo) {
       const auto hit = bvh.closest(ray), scaled_hit = scaled_bvh.closest(scaled_ray);
       ASSERT_EQ(hit.shape, scaled_hit.shape);
       // Connections measure distances in their own length.
-      const double length = ray.to == no_shape ? unit : 1;
+      const double length = ray.to.shape == no_shape ? unit : 1;
       ASSERT_EQ(length * hit.distance, scaled_hit.distance);
       ASSERT_EQ(bvh.any(ray), scaled_bvh.any(scaled_ray));
     }

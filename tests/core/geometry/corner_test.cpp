@@ -98,7 +98,7 @@ class RoomRays {
   }
   std::optional<RoomRay> aimed_along_own_wall() {
     RoomRay ray = start();
-    const Wall2& wall = room_.walls[static_cast<std::size_t>(ray.from)];
+    const Wall2& wall = room_.walls[static_cast<std::size_t>(ray.from.shape)];
     const Corner end = g_.uniform() < 0.5 ? wall.from : wall.to;
     ray.direction = end + normal_ * room_.scale * std::abs(nudge(g_).x) - ray.origin;
     return checked(ray);
@@ -113,7 +113,7 @@ class RoomRays {
     return {.origin = point.position, .direction = Corner(0), .from = id};
   }
   std::optional<RoomRay> checked(const RoomRay& ray) const {
-    const auto id = static_cast<std::size_t>(ray.from);
+    const auto id = static_cast<std::size_t>(ray.from.shape);
     const Wall2& wall = room_.walls[id];
     const Corner next = room_.walls[(id + 1) % room_.walls.size()].from;  // the foot of a T
     const double cosine = glm::dot(glm::normalize(ray.direction), normal_);

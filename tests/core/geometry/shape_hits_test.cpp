@@ -79,8 +79,8 @@ TEST(Segments, BehaveTheSameTurnedByAQuarter) {
     const double distance = line.intersect(ray, 0);
     ASSERT_EQ(distance, turned.intersect(turned_ray, 0));
     if (distance == none) continue;
-    ASSERT_EQ(left_of(line.surface(ray, distance).position),
-              turned.surface(turned_ray, distance).position);
+    ASSERT_EQ(left_of(line.surface(ray, {0, distance}).position),
+              turned.surface(turned_ray, {0, distance}).position);
   }
 }
 
@@ -150,6 +150,7 @@ TEST(Arcs, AreMissedByRaysThatPassAndMetByRaysThatGraze) {
 
 TEST(Spheres, AreLeftAndMetAgainAtTheEndOfTheChord) {
   Generator g(5);
+  const Element<Spaceland> self(4);
   const Ball ball({0.3, -0.2, 4}, 1.7, Ball::Facing::outward);
   for (int i = 0; i < 20'000; ++i) {
     const auto point = ball.sample(random_square<3>(g));
@@ -157,12 +158,14 @@ TEST(Spheres, AreLeftAndMetAgainAtTheEndOfTheChord) {
     const Frame<3, double> frame{-point.normal};
     const Point3 in = frame.to_world(local_at<3>(std::numbers::pi / 2 - angle, 6 * g.uniform()));
     const double chord = 2 * 1.7 * std::sin(angle);
-    ASSERT_NEAR(ball.intersect({point.position, in, 4}, 4) / chord, 1, 2e-15 / angle + 1e-14);
+    ASSERT_NEAR(ball.intersect({point.position, in, self}, self) / chord, 1, 2e-15 / angle + 1e-14);
     const Point3 out =
         frame.to_world(local_at<3>(std::numbers::pi / 2 + angle + 1e-9, 6 * g.uniform()));
-    ASSERT_EQ(ball.intersect({point.position, out, 4}, 4), none);
+    ASSERT_EQ(ball.intersect({point.position, out, self}, self), none);
     const auto other = ball.sample(random_square<3>(g));
-    ASSERT_EQ(ball.intersect({point.position, other.position - point.position, 4, 4, 1}, 4), none);
+    ASSERT_EQ(
+        ball.intersect({point.position, other.position - point.position, self, self, 1}, self),
+        none);
   }
 }
 
@@ -182,23 +185,27 @@ TEST(Spheres, HaveTheAreaOfTheirDiametersCylinder) {
   EXPECT_DOUBLE_EQ(sphere.measure(), std::numbers::pi);
 }
 
+using SpaceRay = Ray<Spaceland>;
+const Element<Spaceland> self(0);
+
 TEST(Parallelograms, AreNotHitBehindARay) {
   const Parallelogram<Spaceland> square({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
   const Point3 above(0.5, 0.5, 1);
-  EXPECT_EQ(square.intersect({.origin = above, .direction = {0, 0, -1}}, 0), 1);
-  EXPECT_TRUE(std::isinf(square.intersect({.origin = above, .direction = {0, 0, 1}}, 0)));
+  EXPECT_EQ(square.intersect(SpaceRay{above, {0, 0, -1}}, self), 1);
+  EXPECT_TRUE(std::isinf(square.intersect(SpaceRay{above, {0, 0, 1}}, self)));
 }
 
 TEST(Parallelograms, HaveTheNormalOfTheirEdgesAndEndAtThem) {
   const Sheet sheet({0, 0, 1}, {2, 0, 0}, {1, 3, 0});
   EXPECT_EQ(sheet.measure(), 6);
   EXPECT_EQ(sheet.sample({0.5, 0.5}).normal, Point3(0, 0, 1));
-  EXPECT_EQ(sheet.intersect({{1.5, 1.5, 0}, {0, 0, 1}}, 0), 1);
-  EXPECT_EQ(sheet.intersect({{1.5, 1.5, 3}, {0, 0, -2}}, 0), 1);
-  EXPECT_EQ(sheet.intersect({{0.4, 1.5, 0}, {0, 0, 1}}, 0), none);  // beside the slanted edge
-  EXPECT_EQ(sheet.intersect({{0.6, 1.5, 0}, {0, 0, 1}}, 0), 1);
-  EXPECT_EQ(sheet.intersect({{1, 1, 1}, {1, 0, 0}}, 0), none);  // within its plane
-  EXPECT_EQ(sheet.intersect({{1.5, 1.5, 1}, {0, 0, 1}, 3}, 3), none);
+  EXPECT_EQ(sheet.intersect(SpaceRay{{1.5, 1.5, 0}, {0, 0, 1}}, self), 1);
+  EXPECT_EQ(sheet.intersect(SpaceRay{{1.5, 1.5, 3}, {0, 0, -2}}, self), 1);
+  EXPECT_EQ(sheet.intersect(SpaceRay{{0.4, 1.5, 0}, {0, 0, 1}}, self),
+            none);  // beside the slanted edge
+  EXPECT_EQ(sheet.intersect(SpaceRay{{0.6, 1.5, 0}, {0, 0, 1}}, self), 1);
+  EXPECT_EQ(sheet.intersect(SpaceRay{{1, 1, 1}, {1, 0, 0}}, self), none);  // within its plane
+  EXPECT_EQ(sheet.intersect(SpaceRay{{1.5, 1.5, 1}, {0, 0, 1}, self}, self), none);
 }
 
 }  // namespace

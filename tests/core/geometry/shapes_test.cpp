@@ -34,6 +34,8 @@ class Shapes : public ::testing::Test {
     else
       return {Sheet(unit * Point3(0.1, 0.2, 0.3), unit * Point3(1, 0.2, -0.3),
                     unit * Point3(-0.4, 2, 0.5)),
+              Triangle<W>(unit * Point3(0.1, 0.2, 0.3), unit * Point3(1.1, 0.4, 0),
+                          unit * Point3(-0.3, 2.2, 0.8)),
               Ball(unit * Point3(1, -2, 0.5), unit * 0.8, Ball::Facing::inward)};
   }
   static auto sample(const Shape<W>& shape, std::array<double, D - 1> u) {
@@ -95,9 +97,10 @@ TYPED_TEST(Shapes, AreSampledEvenlyAsTheirShadowsShow) {
       Ray<TypeParam> ray{frame.to_world(origin) - 100.0 * direction, direction};
       int crossings = 0;
       while (crossings < 3) {  // each crossing is found by leaving the one before
-        const double d = visit_shape([&](const auto& s) { return s.intersect(ray, 0); }, shape);
+        const double d = visit_shape(
+            [&](const auto& s) { return s.intersect(ray, Element<TypeParam>(0)); }, shape);
         if (d == none) break;
-        ray = {ray.origin + d * direction, direction, 0};
+        ray = {ray.origin + d * direction, direction, Element<TypeParam>(0)};
         ++crossings;
       }
       cast.add(std::pow(2 * box, D - 1) * crossings);
@@ -157,10 +160,11 @@ TYPED_TEST(Shapes, PutHitsOnThemselves) {
       const auto target = TestFixture::sample(shape, random_square<D>(g));
       const auto origin = 5.0 * random_direction<D>(g);
       const Ray<TypeParam> ray{origin, glm::normalize(target.position - origin)};
-      const double d = visit_shape([&](const auto& s) { return s.intersect(ray, 0); }, shape);
+      const double d = visit_shape(
+          [&](const auto& s) { return s.intersect(ray, Element<TypeParam>(0)); }, shape);
       if (d == none) continue;  // the rim
       ++hits;
-      const auto hit = visit_shape([&](const auto& s) { return s.surface(ray, d); }, shape);
+      const auto hit = visit_shape([&](const auto& s) { return s.surface(ray, {0, d}); }, shape);
       ASSERT_NEAR(glm::length(hit.normal), 1, 1e-15);
       // A grazing ray spreads the last bit of its distance.
       const double grazing = std::abs(glm::dot(hit.normal, ray.direction));
@@ -190,10 +194,12 @@ TYPED_TEST(Shapes, AreBlindToPowersOfTwo) {
                   TestFixture::parameter(scaled[i], scaled_point.position));
         const auto direction = random_direction<D>(g);
         const auto origin = g.uniform() < 0.5 ? point.position : 2.0 * random_direction<D>(g);
-        const Ray<TypeParam> ray{origin, direction, g.uniform() < 0.5 ? 0 : no_shape};
+        const Ray<TypeParam> ray{origin, direction,
+                                 Element<TypeParam>(g.uniform() < 0.5 ? 0 : no_shape)};
         const Ray<TypeParam> scaled_ray{unit * ray.origin, direction, ray.from};
         const auto meet = [](const Shape<TypeParam>& shape, const Ray<TypeParam>& r) {
-          return visit_shape([&](const auto& s) { return s.intersect(r, 0); }, shape);
+          return visit_shape([&](const auto& s) { return s.intersect(r, Element<TypeParam>(0)); },
+                             shape);
         };
         ASSERT_EQ(unit * meet(plain[i], ray), meet(scaled[i], scaled_ray));
       }

@@ -1,0 +1,106 @@
+#include "scenes/format/scene_meshes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <string>
+
+#include "scenes/format/json_text.h"
+#include "scenes/format/mesh_file.h"
+
+namespace wander {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr double largest_coordinate = 1e150;  // as in a scene
+
+// Throws MeshFileError.
+fs::path path_of(const std::string& file, const std::optional<fs::path>& folder) {
+  if (!folder)
+    throw MeshFileError(
+        "a scene that is no file has no folder to look for meshes in; save it beside them");
+  if (fs::path(file).is_absolute())
+    throw MeshFileError("the path is absolute; a mesh's path is relative to the scene");
+  std::error_code problem;
+  const fs::path root = fs::weakly_canonical(*folder, problem),
+                 path = fs::weakly_canonical(*folder / file, problem);
+  const auto [end_of_root, in_path] = std::ranges::mismatch(root, path);
+  if (problem || end_of_root != root.end())
+    throw MeshFileError(
+        "the path leads out of the scene's folder; meshes lie in it, or in folders in it");
+  return path;
+}
+
+using Point = glm::dvec3;
+
+struct Transform {
+  glm::dmat3 linear{1};
+  Point offset{0};
+
+  Point operator()(Point p) const { return linear * p + offset; }
+  bool mirrors() const { return glm::determinant(linear) < 0; }
+};
+
+// Rows of the file; glm's matrices are columns.
+Transform transform_of(const ordered_json& rows) {
+  Transform transform;
+  for (int row = 0; row < 3; ++row) {
+    const ordered_json& numbers = rows[static_cast<std::size_t>(row)];
+    for (int column = 0; column < 3; ++column)
+      transform.linear[column][row] = numbers[static_cast<std::size_t>(column)].get<double>();
+    transform.offset[row] = numbers[3].get<double>();
+  }
+  return transform;
+}
+
+// A mirror image is turned round, so that the outside stays outside.
+Triangles moved(Triangles triangles, const Transform& transform) {
+  for (auto& point : triangles.points) {
+    const Point p = transform(Point(point[0], point[1], point[2]));
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(std::abs(p[axis]) <= largest_coordinate))
+        throw MeshFileError("the transform leads beyond 1e150, the largest coordinate");
+      point[static_cast<std::size_t>(axis)] = p[axis] + 0.0;  // -0 is 0
+    }
+  }
+  if (transform.mirrors())
+    for (auto& corners : triangles.corners) std::swap(corners[1], corners[2]);
+  return triangles;
+}
+
+}  // namespace
+
+std::vector<JsonFault> SceneMeshes::read(const JsonDocument& document,
+                                         const std::vector<JsonFault>& faults,
+                                         const std::optional<fs::path>& folder) {
+  std::vector<JsonFault> found;
+  const auto shapes = document.find(document.root(), "shapes");
+  if (!shapes || !(*shapes)->is_array() || faults.size() > json_limits.faults) return found;
+  std::map<fs::path, Triangles> files;  // a file may be named more than once
+  for (const JsonMember& shape : document.children(*shapes)) {
+    const auto file = document.find(shape.node, "file");
+    const bool is_faulty = std::ranges::any_of(faults, [&](const JsonFault& fault) {
+      return document.holds_byte(shape.node, fault.byte);
+    });
+    if (!file || is_faulty || found.size() > json_limits.faults) continue;
+    const auto name = (*file)->get<std::string>();
+    try {
+      const fs::path path = path_of(name, folder);
+      if (!files.contains(path)) files.emplace(path, read_mesh(path));
+      const auto transform = document.find(shape.node, "transform");
+      meshes_[shape.node.value] = std::make_shared<const Triangles>(
+          moved(files.at(path), transform ? transform_of(*transform->value) : Transform()));
+    } catch (const MeshFileError& error) {
+      found.push_back(document.fault(*file, fmt::format("{}: {}", excerpt(name), error.what())));
+    }
+  }
+  return found;
+}
+
+}  // namespace wander
