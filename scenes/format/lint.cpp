@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "scenes/format/lint_space.h"
 #include "scenes/format/scene_file_pieces.h"
 
 namespace wander {
@@ -252,6 +253,8 @@ void Lint::doubt_gaps() {
 
 }  // namespace
 
-std::vector<Fault> lint(const description::Scene& scene) { return Lint(scene).warnings(); }
+std::vector<Fault> lint(const description::Scene& scene) {
+  return scene.dimension == 3 ? lint_space(scene) : Lint(scene).warnings();
+}
 
 }  // namespace wander
