@@ -43,6 +43,12 @@ std::span<const Engine> engines() { return table; }
 
 std::string why_no_engine(const WorldKind& world) {
   if (has(world.dimension, world.precision)) return {};
+  if (std::ranges::none_of(
+          table, [&](const Engine& engine) { return engine.world.dimension == world.dimension; }))
+    return fmt::format(
+        "scenes of {} dimensions have no methods in this version; it reads them, and "
+        "inspect says what they hold",
+        world.dimension);
   return fmt::format("scenes of {} dimensions cannot be computed in precision {}", world.dimension,
                      name_of(world.precision));
 }

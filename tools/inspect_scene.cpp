@@ -17,11 +17,17 @@ using nlohmann::ordered_json;
 ordered_json counts_of(const description::Scene& scene) {
   std::map<std::string, int> shapes;
   int lights = 0;
+  std::size_t triangles = 0;  // of meshes
   for (const description::Shape& shape : scene.shapes) {
     ++shapes[type_of(shape.kind)];
     if (shape.light) ++lights;
+    if (const auto* mesh = std::get_if<description::Mesh>(&shape.kind))
+      triangles += mesh->triangles->corners.size();
   }
-  return {{"shapes", shapes}, {"materials", scene.materials.size()}, {"lights", lights}};
+  ordered_json counts{
+      {"shapes", shapes}, {"materials", scene.materials.size()}, {"lights", lights}};
+  if (triangles > 0) counts["mesh_triangles"] = triangles;
+  return counts;
 }
 
 ordered_json film_of(const description::Scene& scene) {
@@ -105,6 +111,8 @@ std::string text_of_scene(const ordered_json& inspection) {
   text += fmt::format("  dimension       {}\n", inspection["dimension"].get<int>());
   text += fmt::format("  longest paths   {} vertices\n", inspection["max_vertices"].get<int>());
   text += fmt::format("  shapes          {}\n", counted(counts["shapes"]));
+  if (counts.contains("mesh_triangles"))
+    text += fmt::format("  meshes          {} triangles\n", counts["mesh_triangles"].get<int>());
   text += fmt::format("  lights          {}\n", counts["lights"].get<int>());
   text += fmt::format("  sensor          {}, {} bins\n", film["sensor"].get<std::string>(),
                       fmt::join(film["shape"].get<std::vector<int>>(), " x "));

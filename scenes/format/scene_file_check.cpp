@@ -27,6 +27,8 @@ bool too_near(const Coordinates& a, const Coordinates& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < shortest_length;
 }
 
+constexpr int most_pixels = 100'000'000;
+
 // Narrower than this share of its longer side, a surface has no normal.
 constexpr double least_breadth = 1e-14;
 glm::dvec3 vector(const Coordinates& c) { return {c[0], c[1], c[2]}; }
@@ -56,6 +58,7 @@ class Check {
   void check_counts(JsonNode list, const std::vector<JsonMember>& shapes);
   void check_geometry(const std::vector<JsonMember>& shapes);
   void check_camera();
+  void check_pixels(JsonNode holder);
   void check_up(JsonNode camera, const Coordinates& view);
 
   void check_shape(JsonNode shape, const Segment& segment);
@@ -167,11 +170,23 @@ void Check::check_counts(JsonNode list, const std::vector<JsonMember>& shapes) {
                                  first));
 }
 
+// Of [width, height].
+void Check::check_pixels(JsonNode holder) {
+  const auto resolution = document_.find(holder, "resolution");
+  if (!resolution || !(*resolution)->is_array() || is_faulty(*resolution)) return;
+  double pixels = 1;
+  for (const nlohmann::ordered_json& side : *resolution->value) pixels *= side.get<double>();
+  if (pixels > most_pixels)
+    note(*resolution,
+         fmt::format("{} pixels are too many; a film has at most {}", pixels, most_pixels));
+}
+
 // Only shapes without a fault so far can be built.
 void Check::check_geometry(const std::vector<JsonMember>& shapes) {
   for (const JsonMember& shape : shapes) {
     if (is_full()) return;
     if (is_faulty(shape.node)) continue;
+    if (const auto sensor = document_.find(shape.node, "sensor")) check_pixels(*sensor);
     std::visit([&](const auto& kind) { check_shape(shape.node, kind); },
                build_shape_kind(*shape.node.value));
   }
@@ -259,6 +274,7 @@ void Check::check_shape(JsonNode shape, const Mesh&) {
 void Check::check_camera() {
   const auto camera = document_.find(document_.root(), "camera");
   if (!camera) return;
+  check_pixels(*camera);
   const auto position = document_.find(*camera, "position"),
              target = document_.find(*camera, "target");
   if (!position || !target || is_faulty(*position) || is_faulty(*target)) return;
