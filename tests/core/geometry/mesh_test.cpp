@@ -41,6 +41,41 @@ TEST(ClosedMeshes, LeakWhenEachTriangleComputesItsOwnEdges) {
   EXPECT_GT(count_leaks(2, 100, 300, alone).escaped, 10);
 }
 
+// In the wedge between two walls rounding puts points of one behind the other; light that starts
+// there stays in the room.
+TEST(ClosedMeshes, LetNoLightOutOfSharpWedges) {
+  Generator g(10);
+  int rays = 0, escaped = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Frame<3, double> frame{random_direction<3>(g)};
+    const Point center = random_direction<3>(g);
+    const double height = std::pow(10, -12 - 3 * g.uniform());
+    Triangles wedge;  // a prism: the floor is z = 0, the roof rises along x
+    for (const double y : {0, 1})
+      for (const Point& p : {Point(0, y, 0), Point(1, y, 0), Point(1, y, height)}) {
+        const Point q = center + frame.to_world(p);
+        wedge.points.push_back({q.x, q.y, q.z});
+      }
+    wedge.corners = {{0, 4, 1}, {0, 3, 4}, {0, 2, 5}, {0, 5, 3},
+                     {1, 4, 5}, {1, 5, 2}, {0, 1, 2}, {3, 5, 4}};
+    const auto mesh = std::make_shared<const Triangles>(wedge);
+    const std::vector<Shape<W>> shapes{Mesh<W>(mesh, Mesh<W>::Role::emitter)};
+    const Bvh<W> bvh(shapes);
+    for (int k = 0; k < 1000; ++k) {
+      const auto triangle = static_cast<std::int32_t>(2 * g.uniform());
+      const Point a = corner_of(*mesh, triangle, 0), b = corner_of(*mesh, triangle, 1),
+                  c = corner_of(*mesh, triangle, 2);
+      const double u = 0.1 + 0.4 * g.uniform(), v = 0.1 + 0.3 * g.uniform();
+      const auto local = Dimension<3>::cosine_sample(random_square<3>(g));
+      ++rays;
+      escaped += !bvh.closest({.origin = a + u * (b - a) + v * (c - a),
+                               .direction = Frame<3, double>{frame.normal}.to_world(local),
+                               .from = Element<W>(0, triangle)});
+    }
+  }
+  EXPECT_EQ(escaped, 0) << "of " << rays;
+}
+
 // Rays that leave a convex mesh never meet it again, from a micrometre to a thousand kilometres.
 TEST(ClosedMeshes, AreNotMetByWhatLeavesThem) {
   Generator g(3);
