@@ -98,19 +98,17 @@ Parallelogram<W>::Parallelogram(Point origin, Point edge0, Point edge1)
 template <World W>
 auto Parallelogram<W>::intersect(const ShearedRay<W>& ray, Element<W> self) const -> Length {
   if (ray.from == self || ray.to == self) return nothing<Length>;
-  const std::array<ShearedPoint<W>, 4> p{
-      ShearedPoint<W>(ray, corners_[0]), ShearedPoint<W>(ray, corners_[1]),
-      ShearedPoint<W>(ray, corners_[2]), ShearedPoint<W>(ray, corners_[3])};
-  const Length a = side_of(p[0], p[1]), b = side_of(p[1], p[2]), c = side_of(p[2], p[3]),
-               d = side_of(p[3], p[0]);
-  if ((a < 0 || b < 0 || c < 0 || d < 0) && (a > 0 || b > 0 || c > 0 || d > 0))
-    return nothing<Length>;
+  // The plane costs less than the edges, and often spares them.
   const Length distance =
       glm::dot(origin_ - ray.origin, normal_) / glm::dot(ray.direction, normal_);
   if (!(distance < ray.limit)) return nothing<Length>;
-  if (distance > 0) [[likely]]
-    return distance;
-  return lies_on_plane<W>(ray.origin, origin_, normal_) ? Length(0) : nothing<Length>;
+  if (!(distance > 0) && !lies_on_plane<W>(ray.origin, origin_, normal_)) return nothing<Length>;
+  const ShearedPoint<W> p(ray, corners_[0]), q(ray, corners_[1]), r(ray, corners_[2]),
+      s(ray, corners_[3]);
+  const Length a = side_of(p, q), b = side_of(q, r), c = side_of(r, s), d = side_of(s, p);
+  if ((a < 0 || b < 0 || c < 0 || d < 0) && (a > 0 || b > 0 || c > 0 || d > 0))
+    return nothing<Length>;
+  return std::max(distance, Length(0));
 }
 
 template <World W>
