@@ -46,7 +46,7 @@ std::string why_no_engine(const WorldKind& world) {
   if (std::ranges::none_of(
           table, [&](const Engine& engine) { return engine.world.dimension == world.dimension; }))
     return fmt::format(
-        "scenes of {} dimensions have no methods in this version; it reads them, and "
+        "this version has no methods for scenes of {} dimensions; it reads them, and "
         "inspect says what they hold",
         world.dimension);
   return fmt::format("scenes of {} dimensions cannot be computed in precision {}", world.dimension,
