@@ -295,7 +295,7 @@ void Check::check_up(JsonNode camera, const Coordinates& view) {
   if (up && is_faulty(*up)) return;
   const Coordinates y{0, 1, 0};
   const Coordinates direction = up ? (*up)->get<Coordinates>() : y;
-  if (same_point(direction, {}))
+  if (too_near(direction, {}))
     note(*up, "up has no length; it is the direction that is up in the picture");
   else if (is_narrow(direction, view))
     note(up ? *up : camera, fmt::format("the camera looks along {}; {} \"up\" across the view",
