@@ -103,6 +103,10 @@ TEST(Jobs, AreRefusedWhereTheyCannotBeComputed) {
   description::Scene space = diffuse_room();
   space.dimension = 3;
   EXPECT_THROW(Job(space, find_method("pt")), UsageError);
+  EXPECT_EQ(
+      why_unfit(space, find_method("pt"), {}).front(),
+      "this version has no methods for scenes of 3 dimensions; it reads them, and inspect says "
+      "what they hold");
 }
 
 TEST(FilmShape, IsThatOfTheSceneThatIsBuilt) {
