@@ -30,6 +30,12 @@ struct Step {
   bool accepted() const { return reason == Reason::none; }
 };
 
+// The step of any chain whose states are paths, as one of paths: this is one.
+template <class W>
+const Step<W>& path_step(const Step<W>& step) {
+  return step;
+}
+
 template <class Space, class Kernel>
 class Chain {
  public:

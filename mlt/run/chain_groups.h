@@ -1,4 +1,5 @@
-// The groups of chains of a run, at work: seeds, starts and steps, on all threads.
+// The groups of chains of a run, at work: seeds, starts and steps, on all threads.  Of groups that
+// have chains alone, and nothing that watches them, seeds and starts (lab/shown_chains.h).
 #pragma once
 
 #include <memory>
@@ -10,7 +11,7 @@
 
 namespace wander {
 
-template <class Space, Group Chains>
+template <class Space, ChainSource Chains>
 class ChainGroups {
  public:
   template <class Kernel>
@@ -25,6 +26,7 @@ class ChainGroups {
   auto begin() const { return groups_.begin(); }
   auto end() const { return groups_.end(); }
   std::uint64_t count() const { return groups_.size(); }
+  Chains& operator[](int group) const { return *groups_[static_cast<std::size_t>(group)]; }
 
   // The seed pass: so many more samples of each slice.
   void add_seeds(std::uint64_t count) {
@@ -66,7 +68,7 @@ class ChainGroups {
   // Steps of all chains together, shared evenly by the groups that take any.
   std::uint64_t steps() const { return steps_; }
   std::uint64_t active() const { return active_.size(); }
-  void advance_to(std::uint64_t target) {
+  void advance_to(std::uint64_t target) requires Group<Chains> {
     const std::uint64_t count = active();
     run_parallel(run_, static_cast<int>(count), [&](int i) {
       const auto k = static_cast<std::uint64_t>(i);
