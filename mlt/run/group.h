@@ -35,8 +35,8 @@ template <ChainSource Chains>
 class ChainGroup {
  public:
   using Space = typename Chains::Space;
+  using Kernel = typename Chains::Kernel;
 
-  template <class Kernel>
   ChainGroup(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains)
       : source_(space, kernel, seed, group, chains),
         film_(space.scene().bins(), space.max_vertices()),

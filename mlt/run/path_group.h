@@ -6,10 +6,11 @@
 
 namespace wander {
 
-template <class Space, class Kernel>
+template <class Space, class K>
 class PathChains : public SeededChains<Space, PathSeeds> {
  public:
   using W = typename Space::Universe;
+  using Kernel = K;
   using Chain = wander::Chain<Space, Kernel>;
   using Turns = EvenTurns;
   static constexpr Deposits deposits = Deposits::shares;

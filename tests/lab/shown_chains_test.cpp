@@ -40,7 +40,9 @@ TEST(ShownChains, AreThoseOfTheGroups) {
   const Flat space(*scene, Roulette::off);
   const Family family = make_family({}, space.max_vertices());
   constexpr ChainSettings settings{.groups = 4, .chains_per_group = 2, .fewest_seeds = 1024};
-  const Session session{.seed = 7, .threads = 2};
+  Session session;
+  session.seed = 7;
+  session.threads = 2;
   wander::Run run(session);
   const ShownChains<Flat, Chains> shown(space, family, run, settings);
   ASSERT_EQ(shown.count(), 8);
