@@ -21,6 +21,11 @@ constexpr double rehearsed_after = 0.25;        // of the time of the samples
 // no more than a quarter of the variance.
 constexpr double share_of_error = 0.5;
 
+void write_state(const LiveRun& run, std::ostream& bytes) {
+  cereal::BinaryOutputArchive archive(bytes);
+  run.save(archive);
+}
+
 class Drive {
  public:
   Drive(LiveRun& run, Run& execution, const Headway& begin, const Keeper& keeper)
@@ -235,7 +240,7 @@ class Drive {
     headway_.wall_seconds = execution_.seconds();
     headway_.processor_seconds = execution_.processor_seconds();
     headway_.samples = run_.samples();
-    keeper_.keep({headway_, state_of(run_)});
+    keeper_.keep(headway_, [this](std::ostream& bytes) { write_state(run_, bytes); });
   }
 
   LiveRun& run_;
@@ -264,8 +269,7 @@ Rendering drive(LiveRun& run, Run& execution, const Headway& begin, const Keeper
 
 std::string state_of(const LiveRun& run) {
   std::ostringstream bytes;
-  cereal::BinaryOutputArchive archive(bytes);
-  run.save(archive);
+  write_state(run, bytes);
   return std::move(bytes).str();
 }
 

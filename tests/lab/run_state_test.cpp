@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "lab/drive.h"
 #include "lab/world_methods.h"
@@ -134,13 +135,22 @@ TEST_P(RunState, ThatIsCutShortOrTooLongIsRefused) {
 
 // ---- budgets
 
+std::string bytes_of(const StateWriter& state) {
+  std::ostringstream bytes;
+  state(bytes);
+  return std::move(bytes).str();
+}
+
 // Kept every time it can be, a run to a budget can be carried on from any of these places.
 template <class MakeRun>
 void expect_carried_on(const Budget& budget, MakeRun&& make) {
   Session session = session_of(2);
   session.budget = budget;
   std::vector<KeptRun> kept;
-  const Keeper keeper{[&](const KeptRun& run) { kept.push_back(run); }, 1e-9, 1e-9};
+  const Keeper keeper{[&](const Headway& headway, const StateWriter& state) {
+                        kept.push_back({headway, bytes_of(state)});
+                      },
+                      1e-9, 1e-9};
   Run execution(session);
   const auto made = make(execution);
   const Rendering whole = drive(*made->run, execution, {}, keeper);
@@ -186,8 +196,8 @@ TEST(CarriedOn, AnInterruptedSeedPassLosesNothing) {
   std::atomic<bool> interrupted = false;
   std::vector<KeptRun> kept;
   session.interrupted = &interrupted;
-  const Keeper keeper{[&](const KeptRun& run) {
-                        kept.push_back(run);
+  const Keeper keeper{[&](const Headway& headway, const StateWriter& state) {
+                        kept.push_back({headway, bytes_of(state)});
                         interrupted = true;
                       },
                       1e-9, 1e-9};
