@@ -4,6 +4,7 @@
 // order.
 #pragma once
 
+#include <array>
 #include <cereal/archives/binary.hpp>
 #include <cereal/types/array.hpp>
 #include <cereal/types/vector.hpp>
@@ -13,6 +14,7 @@
 #include "core/film_statistics.h"
 #include "lab/live_run.h"
 #include "mlt/run/chain_groups.h"
+#include "mlt/run/large_film.h"
 #include "mlt/run/normalization.h"
 #include "mlt/run/normalized_film.h"
 #include "mlt/run/path_group.h"
@@ -61,15 +63,15 @@ class ChainRun final : public LiveRun {
 
   // With the constants of the seed pass.
   FilmEstimate preview() const override {
-    Harvest harvest(space_);
+    Harvest harvest(space_, settings_.film);
     for (const auto& group : *groups_)
       group->deliver(harvest.film, harvest.statistics, harvest.draws);
-    return harvest.film.estimate();
+    return unbiased_film(harvest.film);
   }
 
   Rendering findings() const override {
     Rendering r;
-    Harvest harvest(space_);
+    Harvest harvest(space_, settings_.film);
     for (const auto& group : *groups_) {
       group->deliver(harvest.film, harvest.statistics, harvest.draws);
       r.chains += group->chains();
@@ -107,10 +109,11 @@ class ChainRun final : public LiveRun {
 
   // What the groups deliver.
   struct Harvest {
-    explicit Harvest(const Space& space)
-        : film({space.scene().resolution().begin(), space.scene().resolution().end()}),
-          statistics(Chains::move_names(), space.scene().bins(), space.max_vertices()) {}
-    GroupsFilm film;
+    Harvest(const Space& space, const FilmLayout& layout)
+        : film(layout.raster(space.scene().resolution()).shape()),
+          statistics(Chains::move_names(), layout.maps_of(space.scene().resolution()),
+                     space.max_vertices()) {}
+    GroupsFilm film;  // of a large film, its raster
     MutationStatistics statistics;
     ChainDraws draws{};
   };
@@ -135,6 +138,23 @@ class ChainRun final : public LiveRun {
       r.warnings.push_back(std::move(warning));
   }
 
+  // ---- the film, of groups that each have their own, or of films that they share
+
+  std::vector<int> shape() const {
+    return {space_.scene().resolution().begin(), space_.scene().resolution().end()};
+  }
+  SharedLight shared_light() const {
+    return {groups_->shared(), groups_->light_of_shared_deposit()};
+  }
+  FilmEstimate unbiased_film(const GroupsFilm& of_groups) const {
+    if (!groups_->shared()) return of_groups.estimate();
+    return mean_film(std::array{shared_light()}, shape());
+  }
+  FilmEstimate film_scaled_to(const Constant& b, std::span<const GroupFindings> findings) const {
+    if (!groups_->shared()) return normalized_film(findings, b, shape());
+    return normalized_film(std::array{shared_light()}, b, shape());
+  }
+
   // `unbiased`: the mean of what each group says by its own slice of the seed pass.
   void normalize(Rendering& r, const GroupsFilm& unbiased) const {
     std::vector<GroupFindings> findings;
@@ -143,8 +163,8 @@ class ChainRun final : public LiveRun {
     const NormalizationMethod method = b.usable(settings_.normalization);
     r.normalization = normalization(findings, b, settings_.normalization);
     r.film = method == NormalizationMethod::seed_pass
-                 ? unbiased.estimate()
-                 : normalized_film(findings, b[method], unbiased.resolution());
+                 ? unbiased_film(unbiased)
+                 : film_scaled_to(b[method], findings);
     if (b[method].effective_samples < fewest_effective_samples)
       r.film.reliable.assign(r.film.reliable.size(), false);
     if (method != settings_.normalization)

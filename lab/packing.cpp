@@ -2,6 +2,7 @@
 
 #include <zlib.h>
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <ostream>
@@ -61,7 +62,7 @@ Packing::~Packing() { deflateEnd(&stream_->state); }
 void Packing::add(std::string_view bytes) {
   constexpr std::size_t most = std::numeric_limits<uInt>::max();
   for (; !bytes.empty(); bytes.remove_prefix(std::min(most, bytes.size()))) {
-    stream_->state.next_in = reinterpret_cast<const Bytef*>(bytes.data());
+    stream_->state.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
     stream_->state.avail_in = static_cast<uInt>(std::min(most, bytes.size()));
     deflate(Z_NO_FLUSH);
   }

@@ -77,7 +77,8 @@ void tell_where_it_goes_on(const RenderTask& task) {
 
 // Always where it is much.
 void tell_memory(const RenderTask& task, const Global& global) {
-  const Session session{.threads = global.threads};
+  Session session;
+  session.threads = global.threads;
   const MemoryNeed need = memory_need(task.job, Run(session).threads());
   if (need.most() > much_memory)
     spdlog::info("the run needs about {}", memory_in_words(need));

@@ -7,14 +7,14 @@
 // flushed between two turns of the groups: the mean of own_fj over f moves to common_j, in double.
 // What stays in float is how far the films differ.
 //
-// Error.  An addition is rounded by at most 2^-24 of what the float holds: the additions since the
-// last flush, and a difference of films.  Of these a float takes fewer than most_additions and those
-// of one turn, n together, so common_j is off by less than n 2^-25 of itself, 2^-12 if one bin takes
-// all that a tile does and all roundings lean the same way; 256 bins that share it are off by 2^-20.
-// A difference is as large as the noise of a film: a float that holds it would lose an addition
-// only where that noise is 2^24 deposits, after some 2^48 of them on one bin.
+// Error.  An addition is rounded up or down by chance, in proportion to what is nearer, so that its
+// mean is right however small it is: nothing is ever lost beside a large number.  Its standard
+// deviation is at most 2^-24 of what the float holds, which is the deposits since the last flush,
+// most_additions and those of one turn at the most, and the difference of the films, which is their
+// noise.  After n additions on a bin it is √n 2^-24 of that noise: for n = 2^36, a fiftieth.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -36,19 +36,27 @@ class SharedFilm {
 
   void add(int vertices, int bin, double weight) {
     const auto j = static_cast<std::size_t>(bin);
-    own_[j] += static_cast<float>(weight);
-    if (!lengths_.empty()) of_length(vertices)[j] += static_cast<float>(weight);
+    add(own_[j], weight);
+    if (!lengths_.empty()) add(of_length(vertices)[j], weight);
     if (++additions_[j / tile] == most_additions) full_.push_back(j / tile);
   }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(own_, lengths_, additions_);
+    archive(own_, lengths_, additions_, chance_);
   }
 
  private:
   friend class SharedFilms;
 
+  // The 29 bits of the sum that a float does not have are rounded with a probability: they carry if
+  // a number that goes through all values evenly [Weyl 1916] is added.
+  void add(float& sum, double weight) {
+    constexpr std::uint64_t lost = (std::uint64_t{1} << 29) - 1;
+    chance_ += 0x9E3779B97F4A7C15;  // φ - 1, as a fraction of 2^64
+    const auto bits = std::bit_cast<std::uint64_t>(static_cast<double>(sum) + weight);
+    sum = static_cast<float>(std::bit_cast<double>((bits + (chance_ >> 35)) & ~lost));
+  }
   std::vector<float>& of_length(int vertices) {
     auto& film = lengths_[static_cast<std::size_t>(vertices) - 2];
     if (film.empty()) film.resize(own_.size());
@@ -59,6 +67,7 @@ class SharedFilm {
   std::vector<std::vector<float>> lengths_;  // by vertices - 2; empty until one is met
   std::vector<std::uint32_t> additions_;     // by tile, since it was flushed
   std::vector<std::size_t> full_;            // tiles that are to be flushed
+  std::uint64_t chance_ = 0;
 };
 
 class SharedFilms {
@@ -92,7 +101,8 @@ class SharedFilms {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(films_, common_, lengths_);
+    for (SharedFilm& film : films_) archive(film);
+    archive(common_, lengths_);
   }
 
  private:

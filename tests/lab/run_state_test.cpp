@@ -20,10 +20,15 @@ using nlohmann::ordered_json;
 struct Case {
   const char* method;
   StepEstimator estimator = StepEstimator::usual;
+  FilmLayout film{};
 };
+// As films of more than 2^14 bins are kept, with all that they may have.
+constexpr FilmLayout large{
+    .most_small = 4, .by_length = Keep::always, .maps = Keep::always};
 std::string name_of_case(const Case& c) {
   std::string name = c.method;
   std::ranges::replace(name, '-', '_');
+  if (c.film == large) name += "_large";
   return name + (c.estimator == StepEstimator::usual     ? ""
                  : c.estimator == StepEstimator::kelemen ? "_kelemen"
                                                          : "_expected");
@@ -40,7 +45,7 @@ Session session_of(int threads) {
 template <World W>
 struct Made {
   Made(const Case& c, int threads)
-      : dials{.estimator = c.estimator, .chains = {.fewest_seeds = 4096}},
+      : dials{.estimator = c.estimator, .chains = {.fewest_seeds = 4096}, .film = c.film},
         session(session_of(threads)),
         job(mirror_and_glass(), find_method(c.method), dials),
         run(methods.make()) {}
@@ -108,7 +113,11 @@ INSTANTIATE_TEST_SUITE_P(Methods, RunState,
                          ::testing::Values(Case{"pt"}, Case{"lt"}, Case{"bdpt"}, Case{"pt-naive"},
                                            Case{"lt-naive"}, Case{"mlt"}, Case{"pssmlt"},
                                            Case{"pssmlt", StepEstimator::expected}, Case{"mmlt"},
-                                           Case{"mmlt", StepEstimator::kelemen}),
+                                           Case{"mmlt", StepEstimator::kelemen},
+                                           Case{"bdpt", StepEstimator::usual, large},
+                                           Case{"mlt", StepEstimator::usual, large},
+                                           Case{"pssmlt", StepEstimator::usual, large},
+                                           Case{"mmlt", StepEstimator::usual, large}),
                          [](const auto& info) { return name_of_case(info.param); });
 
 TEST_P(RunState, GoesOnWithTheSameBits) { expect_round_trips<Flatland>(GetParam()); }
