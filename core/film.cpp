@@ -7,6 +7,15 @@
 
 namespace wander {
 
+std::size_t make_room(FilmEstimate& film) {
+  std::size_t bins = 1;
+  for (const int extent : film.shape) bins *= static_cast<std::size_t>(extent);
+  film.value.reserve(bins);
+  film.standard_error.reserve(bins);
+  film.reliable.reserve(bins);
+  return bins;
+}
+
 void LengthFilms::merge(const LengthFilms& other) {
   for (std::size_t k = 0; k < films_.size(); ++k) {
     const auto& theirs = other.films_[k];
@@ -109,12 +118,12 @@ void SampleFilm::clear() {
 }
 
 FilmEstimate SampleFilm::estimate(std::span<const int> resolution) const {
-  FilmEstimate film = estimate_of_samples(
-      resolution, samples_, techniques_,
-      [this](std::size_t bin) { return BinSums{sum_[bin].value(), squares_[bin].value()}; });
-  film.by_length = lengths_.scaled(samples_ > 0 ? static_cast<double>(sum_.size()) /
-                                                      static_cast<double>(samples_)
-                                                : 0);
+  FilmEstimate film =
+      estimate_of_samples(resolution, samples_, techniques_, [this](std::size_t bin) {
+        return BinSums{sum_[bin].value(), squares_[bin].value()};
+      });
+  film.by_length = lengths_.scaled(
+      samples_ > 0 ? static_cast<double>(sum_.size()) / static_cast<double>(samples_) : 0);
   return film;
 }
 
@@ -123,7 +132,7 @@ FilmEstimate estimate_of_samples(std::span<const int> resolution, std::uint64_t 
                                  const TechniqueTally& techniques,
                                  const std::function<BinSums(std::size_t bin)>& sums) {
   FilmEstimate film{.shape = {resolution.begin(), resolution.end()}};
-  const std::size_t count = film.make_room();
+  const std::size_t count = make_room(film);
   const double n = static_cast<double>(samples), bins = static_cast<double>(count);
   film.degrees_of_freedom = std::max(0.0, n - 1);
   // Σ of rare light that a bin would have, were it spread evenly.

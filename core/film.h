@@ -27,12 +27,14 @@ inline constexpr double fewest_effective_samples = 100;
 inline constexpr double fewest_technique_samples = 5;
 inline constexpr double most_rare_light = 0.5;
 
+// Room for so many bins as the shape of a film says, of which nothing is known yet; returns how many.
+std::size_t make_room(FilmEstimate& film);
+
 // Films of paths of each length, made as the lengths occur.
 class LengthFilms {
  public:
   // Keeps none if there are to be none.
-  LengthFilms(int bins, int lengths)
-      : bins_(bins), films_(static_cast<std::size_t>(lengths)) {}
+  LengthFilms(int bins, int lengths) : bins_(bins), films_(static_cast<std::size_t>(lengths)) {}
 
   void add(int vertices, int bin, double value) {
     if (films_.empty()) return;

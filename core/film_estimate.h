@@ -25,16 +25,6 @@ struct FilmEstimate {
   double degrees_of_freedom = 0;         // of the t-intervals around every bin
   std::map<int, std::vector<double>>
       by_length{};  // number of vertices -> film of those paths alone
-
-  // Room for so many bins as the shape says, of which nothing is known yet.
-  std::size_t make_room() {
-    std::size_t bins = 1;
-    for (const int extent : shape) bins *= static_cast<std::size_t>(extent);
-    value.reserve(bins);
-    standard_error.reserve(bins);
-    reliable.reserve(bins);
-    return bins;
-  }
 };
 
 }  // namespace wander

@@ -14,8 +14,8 @@ void SampleList::add(const Contributions& sample) {
   for (const Contribution& c : sample) {
     techniques_.add(c.vertices, c.technique, c.value);
     if (keeps_lengths_) lengths_.push_back({c.vertices, c.bin, c.value});
-    const auto known = std::find_if(bins_.begin() + static_cast<std::ptrdiff_t>(begin),
-                                    bins_.end(), [&](const OfBin& b) { return b.bin == c.bin; });
+    const auto known = std::find_if(bins_.begin() + static_cast<std::ptrdiff_t>(begin), bins_.end(),
+                                    [&](const OfBin& b) { return b.bin == c.bin; });
     if (known == bins_.end())
       bins_.push_back({c.bin, c.value});
     else

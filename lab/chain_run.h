@@ -162,9 +162,8 @@ class ChainRun final : public LiveRun {
     const Constants b = constants(findings);
     const NormalizationMethod method = b.usable(settings_.normalization);
     r.normalization = normalization(findings, b, settings_.normalization);
-    r.film = method == NormalizationMethod::seed_pass
-                 ? unbiased_film(unbiased)
-                 : film_scaled_to(b[method], findings);
+    r.film = method == NormalizationMethod::seed_pass ? unbiased_film(unbiased)
+                                                      : film_scaled_to(b[method], findings);
     if (b[method].effective_samples < fewest_effective_samples)
       r.film.reliable.assign(r.film.reliable.size(), false);
     if (method != settings_.normalization)

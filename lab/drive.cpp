@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <streambuf>
 #include <utility>
 
 #include "core/film_statistics.h"
@@ -252,6 +253,15 @@ class Drive {
   double fraction_of_error_ = 0;               // of the way to the target, when last seen
 };
 
+// A string that is read without being copied.
+class Bytes : public std::streambuf {
+ public:
+  explicit Bytes(const std::string& text) {
+    char* begin = const_cast<char*>(text.data());  // a buffer to read from is not written to
+    setg(begin, begin, begin + text.size());
+  }
+};
+
 }  // namespace
 
 ChainSettings fitted(ChainSettings settings, const Budget& budget) {
@@ -274,10 +284,11 @@ std::string state_of(const LiveRun& run) {
 }
 
 void restore(LiveRun& run, const std::string& state) {
-  std::istringstream bytes(state);
+  Bytes buffer(state);
+  std::istream bytes(&buffer);
   cereal::BinaryInputArchive archive(bytes);
   run.load(archive);
-  if (bytes.peek() != std::istringstream::traits_type::eof())
+  if (bytes.peek() != std::istream::traits_type::eof())
     throw std::runtime_error("the state of a run has bytes that are not its own");
 }
 

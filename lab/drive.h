@@ -35,7 +35,7 @@ using StateWriter = std::function<void(std::ostream&)>;
 // Where runs are kept on their way, and when: after so many seconds, and then every so many.
 struct Keeper {
   std::function<void(const Headway&, const StateWriter&)> keep{};  // may be empty
-  double first = 0, every = 0;                 // 0: only at the end
+  double first = 0, every = 0;                                     // 0: only at the end
 };
 
 // A small budget makes fewer chains, so that it can be met exactly.

@@ -40,8 +40,9 @@ const Engine& engine_of(const Job& job) {
 }
 
 // The process would be killed, or the machine come to a standstill.
-void require_memory(const Job& job, const Session& session) {
-  const MemoryNeed need = memory_need(job, Run(session).threads());
+void require_memory(const KeptRun& from, const Job& job, const Session& session) {
+  MemoryNeed need = memory_need(job, Run(session).threads());
+  need.program += static_cast<double>(from.state.size());
   if (const std::string why = why_too_large(job, need, available_memory()); !why.empty())
     throw CommandFailure(ExitCode::failure, why);
 }
@@ -60,7 +61,7 @@ Rendering render(const Job& job, const Session& session) { return carry_on({}, j
 
 Rendering carry_on(const KeptRun& from, const Job& job, const Session& session,
                    const Keeper& keeper) {
-  require_memory(job, session);
+  require_memory(from, job, session);
   Session begun = session;
   begun.begun = session.clock->now();
   begun.begun->wall -= from.headway.wall_seconds;

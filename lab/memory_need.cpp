@@ -116,8 +116,8 @@ MemoryNeed memory_need(const Job& job, int threads) {
 
 std::string memory_in_words(const MemoryNeed& need) {
   return fmt::format("{} GB (films {}, chains {}, results {}; {} to write the files)",
-                     in_gigabytes(need.most()), in_gigabytes(need.films),
-                     in_gigabytes(need.chains), in_gigabytes(need.end), in_gigabytes(need.files));
+                     in_gigabytes(need.most()), in_gigabytes(need.films), in_gigabytes(need.chains),
+                     in_gigabytes(need.end), in_gigabytes(need.files));
 }
 
 std::string why_too_large(const Job& job, const MemoryNeed& need,
@@ -125,8 +125,7 @@ std::string why_too_large(const Job& job, const MemoryNeed& need,
   if (need.most() <= available.bytes) return {};
   const Size size(job);
   std::string remedy = "a sensor of fewer bins";
-  if (size.lengths > 0 && job.dials().film.by_length == Keep::always)
-    remedy += ", no --by-length";
+  if (size.lengths > 0 && job.dials().film.by_length == Keep::always) remedy += ", no --by-length";
   if (size.maps > 0 && job.dials().film.maps == Keep::always) remedy += ", no --maps";
   if (need.chains > need.films) remedy += ", fewer --chains";
   if (!job.method().is_markov_chain() && !size.is_large) remedy += ", fewer threads (-t)";

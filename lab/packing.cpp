@@ -22,8 +22,7 @@ class PieceBuffer : public std::streambuf {
  protected:
   int_type overflow(int_type byte) override {
     sync();
-    if (!traits_type::eq_int_type(byte, traits_type::eof()))
-      sputc(traits_type::to_char_type(byte));
+    if (!traits_type::eq_int_type(byte, traits_type::eof())) sputc(traits_type::to_char_type(byte));
     return traits_type::not_eof(byte);
   }
   int sync() override {

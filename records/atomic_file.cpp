@@ -178,8 +178,6 @@ void remove_leftovers(const fs::path& directory) {
 
 void write_file(const fs::path& path, std::string_view bytes) { StagedFile(path, bytes).commit(); }
 
-void write_file(const fs::path& path, const FileWriter& write) {
-  StagedFile(path, write).commit();
-}
+void write_file(const fs::path& path, const FileWriter& write) { StagedFile(path, write).commit(); }
 
 }  // namespace wander

@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/film_layout.h"
+
 namespace wander {
 
 namespace {
@@ -62,6 +64,25 @@ Plane plane_of(const std::vector<double>& values) {
   return plane;
 }
 
+// What is known per cell of the raster of a large film, at each of its bins.
+std::vector<double> on_bins(const std::vector<double>& map, const FilmEstimate& film) {
+  if (map.empty() || map.size() == film.value.size()) return map;
+  const Raster raster = FilmLayout{}.raster(film.shape);
+  if (map.size() != raster.cells()) throw std::logic_error("a map does not fit the film");
+  std::vector<double> spread(film.value.size());
+  for (std::size_t j = 0; j < spread.size(); ++j) spread[j] = map[raster.cell(static_cast<int>(j))];
+  return spread;
+}
+// The same of counts, which the bins of a cell share.
+std::vector<double> shared_by_bins(std::vector<double> counts, const FilmEstimate& film) {
+  if (counts.empty() || counts.size() == film.value.size()) return counts;
+  const Raster raster = FilmLayout{}.raster(film.shape);
+  std::vector<double> bins(counts.size());
+  for (std::size_t j = 0; j < film.value.size(); ++j) ++bins.at(raster.cell(static_cast<int>(j)));
+  for (std::size_t c = 0; c < counts.size(); ++c) counts[c] /= bins[c];
+  return on_bins(counts, film);
+}
+
 Planes planes_of(const Rendering& rendering) {
   Planes planes;
   const FilmEstimate& film = rendering.film;
@@ -71,8 +92,10 @@ Planes planes_of(const Rendering& rendering) {
   for (const auto& [vertices, values] : film.by_length)
     planes[fmt::format("vertices_{}.Y", vertices)] = plane_of(values);
   for (const MutationRecord& mutation : rendering.mutations) {
-    planes[fmt::format("acceptance.{}.Y", mutation.name)] = plane_of(mutation.acceptance_per_bin);
-    planes[fmt::format("proposed.{}.Y", mutation.name)] = plane_of(mutation.proposed_per_bin);
+    planes[fmt::format("acceptance.{}.Y", mutation.name)] =
+        plane_of(on_bins(mutation.acceptance_per_bin, film));
+    planes[fmt::format("proposed.{}.Y", mutation.name)] =
+        plane_of(shared_by_bins(mutation.proposed_per_bin, film));
   }
   std::erase_if(planes, [](const auto& entry) { return entry.second.empty(); });
   return planes;
@@ -97,7 +120,9 @@ Imf::Header header_of(const RunRecord& run, const Planes& planes) {
   const Rendering& rendering = run.rendering;
   const Size size = size_of(rendering.film);
   Imf::Header header(size.width, size.height);
-  header.compression() = Imf::ZIP_COMPRESSION;
+  // 16 rows at a time, for which the library makes room also where there is one.
+  const bool is_long_row = size.height == 1 && FilmLayout{}.is_large(rendering.film.shape);
+  header.compression() = is_long_row ? Imf::ZIPS_COMPRESSION : Imf::ZIP_COMPRESSION;
   insert_text(header, "scene", run.provenance.scene_text);
   insert_text(header, "scene_name", run.provenance.scene_name);
   insert_text(header, "scene_sha256", run.provenance.scene_sha256);

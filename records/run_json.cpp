@@ -5,11 +5,11 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "records/exr.h"
+#include "records/film_columns.h"
 #include "records/json_text.h"
 
 namespace wander {
@@ -127,14 +127,13 @@ ordered_json json_of(const std::vector<MutationRecord>& mutations) {
   return json;
 }
 
-std::string read_text(const std::filesystem::path& path) {
+bool is_exr(const std::filesystem::path& path) {
+  std::string beginning(4, '\0');
   std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file) throw RunFileError(fmt::format("{}: cannot be read", path.string()));
-  return text;
+  file.read(beginning.data(), 4);
+  return beginning == "\x76\x2f\x31\x01";
 }
-
-bool is_exr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01"); }
 
 }  // namespace
 
@@ -198,8 +197,9 @@ void write_json(const RunRecord& run, int indent, const ByteSink& file) {
       text.key("standard_error").array(film.standard_error.size(), [&](auto i) {
         return json_of(film.standard_error[i]);
       });
-      text.key("reliable").array(film.reliable.size(),
-                                 [&](auto i) { return ordered_json(bool(film.reliable[i])); });
+      text.key("reliable").array(film.reliable.size(), [&](auto i) {
+        return ordered_json(bool(film.reliable[i]));
+      });
     }
     text.key("degrees_of_freedom").value(json_of(film.degrees_of_freedom));
     text.close_object();
@@ -212,11 +212,17 @@ std::optional<RunRecord> find_run(const std::filesystem::path& path) {
   std::error_code unreachable;
   if (std::filesystem::is_directory(path, unreachable)) return find_run(path / "run.json");
   if (!std::filesystem::is_regular_file(path, unreachable)) return std::nullopt;
-  const std::string text = read_text(path);
-  if (is_exr(text)) return read_exr(path);
-  const auto document = ordered_json::parse(text, nullptr, false);
+  if (is_exr(path)) return read_exr(path);
+  FilmColumns columns;
+  const ordered_json document = columns.read(path);
   if (!document.is_object() || document.value("schema", "") != run_schema) return std::nullopt;
-  return run_from_json(document, path.string());
+  RunRecord run = run_from_json(document, path.string());
+  try {
+    columns.move_to(run.rendering.film);
+  } catch (const std::runtime_error& problem) {
+    throw RunFileError(fmt::format("{}: {}", path.string(), problem.what()));
+  }
+  return run;
 }
 
 RunRecord read_run(const std::filesystem::path& path) {

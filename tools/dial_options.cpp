@@ -17,7 +17,8 @@ void add_dial_options(CLI::App& verb, std::span<const std::string_view> words,
       options->turned.emplace_back(&dial, text);
     };
     if (dial.value.empty())
-      verb.add_flag_callback(dial.option(), [turn] { turn("on"); }, dial.help);
+      verb.add_flag_callback(
+          dial.option(), [turn] { turn("on"); }, dial.help);
     else
       verb.add_option_function<std::string>(dial.option(), turn, dial.help)
           ->type_name(std::string(dial.value));

@@ -62,8 +62,7 @@ Keeper keeper_in(const OutputDirectory& directory, const RenderOptions& options,
     write_checkpoint(checkpoint, state, path);
   };
   if (!options.is_continuation || task.is_new_budget)
-    keeper.keep(task.run.run.headway,
-                [&](std::ostream& bytes) { bytes << task.run.run.state; });
+    keeper.keep(task.run.run.headway, [&](std::ostream& bytes) { bytes << task.run.run.state; });
   return keeper;
 }
 

@@ -50,9 +50,8 @@ void lower_by_groups(AvailableMemory& least, const fs::path& root) {
     const fs::path top = root / (is_second_version ? "sys/fs/cgroup" : "sys/fs/cgroup/memory");
     const auto lower_by = [&](const fs::path& group) {
       lower(least,
-            is_second_version
-                ? left_in(group, "memory.max", "memory.current")
-                : left_in(group, "memory.limit_in_bytes", "memory.usage_in_bytes"),
+            is_second_version ? left_in(group, "memory.max", "memory.current")
+                              : left_in(group, "memory.limit_in_bytes", "memory.usage_in_bytes"),
             "the control group");
     };
     lower_by(top);
@@ -66,8 +65,7 @@ std::optional<double> left_of_addresses(const fs::path& root) {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return std::nullopt;
   const double pages = number_after(root / "proc/self/statm", "").value_or(0);
-  return static_cast<double>(limit.rlim_cur) -
-         pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+  return static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
 }  // namespace

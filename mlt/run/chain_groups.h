@@ -128,8 +128,7 @@ class ChainGroups {
       if (groups_[static_cast<std::size_t>(g)]->takes_steps())
         sharers[static_cast<std::size_t>(shared_->film_of_group(g))].push_back(k++);
     while (steps_ < target) {
-      const std::uint64_t turn =
-          std::min(target - steps_, SharedFilms::steps_per_turn * active());
+      const std::uint64_t turn = std::min(target - steps_, SharedFilms::steps_per_turn * active());
       run_parallel(run_, shared_->count(), [&](int film) {
         for (const std::uint64_t each : sharers[static_cast<std::size_t>(film)])
           active_[each]->advance(goal_of(each, steps_ + turn) - active_[each]->steps());

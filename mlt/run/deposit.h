@@ -22,9 +22,9 @@ class GroupFilm {
       : raster_(layout.raster(film)),
         weights_(raster_.cells()),
         by_length_(static_cast<std::size_t>(max_vertices) - 1),
-        lengths_(static_cast<int>(raster_.cells()),
-                 raster_.is_film() && layout.keeps_lengths(film, max_vertices) ? max_vertices - 1
-                                                                               : 0) {}
+        lengths_(
+            static_cast<int>(raster_.cells()),
+            raster_.is_film() && layout.keeps_lengths(film, max_vertices) ? max_vertices - 1 : 0) {}
 
   // Before the first deposit, of a large film: there a deposit counts so many times.
   void share(SharedFilm& pixels, double factor) {

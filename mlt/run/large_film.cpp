@@ -49,8 +49,7 @@ std::map<int, std::vector<double>> by_length(std::span<const SharedLight> runs, 
       if (mean.empty()) continue;
       auto& film = films[static_cast<int>(n) + 2];
       film.resize(mean.size());
-      const double weight =
-          factor * run.scale * run.films->count() / static_cast<double>(count);
+      const double weight = factor * run.scale * run.films->count() / static_cast<double>(count);
       for (std::size_t j = 0; j < mean.size(); ++j) film[j] += weight * mean[j];
     }
   return films;
@@ -69,7 +68,7 @@ FilmEstimate mean_film(std::span<const SharedLight> runs, std::vector<int> shape
   const auto bins = static_cast<double>(parts.bins()), count = static_cast<double>(parts.count());
   FilmEstimate film{.shape = std::move(shape)};
   film.degrees_of_freedom = count - 1;
-  film.make_room();
+  make_room(film);
   std::vector<double> light;
   for (std::size_t j = 0; j < parts.bins(); ++j) {
     parts.at(j, light);
@@ -118,7 +117,7 @@ FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& 
   const auto lit = static_cast<std::size_t>(
       std::ranges::count_if(masses, [](double of_film) { return of_film > 0; }));
   FilmEstimate film{.shape = std::move(shape)};
-  film.make_room();
+  make_room(film);
   std::vector<double> deviations(parts.count());  // squared, of all bins together
   std::vector<double> values(parts.count());      // b times the share of the bin without each film
   for (std::size_t j = 0; j < parts.bins(); ++j) {
@@ -126,8 +125,8 @@ FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& 
     const double total = sum_of(light), share = total / mass;
     for (std::size_t f = 0; f < light.size(); ++f) {
       const double rest = mass - masses[f];
-      values[f] = rest > 1e-12 * mass ? without[f] * std::max(0.0, total - light[f]) / rest
-                                      : not_known;
+      values[f] =
+          rest > 1e-12 * mass ? without[f] * std::max(0.0, total - light[f]) / rest : not_known;
       const double deviation = values[f] / b - share;
       deviations[f] += deviation * deviation;
     }

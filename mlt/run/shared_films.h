@@ -11,7 +11,7 @@
 // mean is right however small it is: nothing is ever lost beside a large number.  Its standard
 // deviation is at most 2^-24 of what the float holds, which is the deposits since the last flush,
 // most_additions and those of one turn at the most, and the difference of the films, which is their
-// noise.  After n additions on a bin it is √n 2^-24 of that noise: for n = 2^36, a fiftieth.
+// noise.  After n additions on a bin it is √n 2^-24 of that noise: for n = 2^36, a sixtieth.
 #pragma once
 
 #include <bit>

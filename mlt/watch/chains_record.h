@@ -24,9 +24,7 @@ struct MutationRecord {
   std::uint64_t proposed = 0, accepted = 0;
   double mean_acceptance = 0;                       // mean of a(x -> y) over all proposals
   std::map<std::string, std::uint64_t> failures{};  // reason -> count
-  // Proposals made while the path was in this bin; of a large film in this cell of its raster, if at
-  // all (core/film_layout.h).
-  std::vector<double> proposed_per_bin{};
+  std::vector<double> proposed_per_bin{};           // proposals made while the path was in this bin
   std::vector<double> acceptance_per_bin{};         // mean acceptance of those proposals
   double seconds = not_known;       // of all threads together, from a sample of the steps
   double squared_jump = not_known;  // mean of a |film(y) - film(x)|², the film being [0,1)^(D-1)

@@ -18,8 +18,8 @@ Contributions sample_of(Rng& random) {
   Contributions sample;
   const auto below = [&](int n) { return static_cast<int>(n * random.uniform()); };
   for (int paths = below(5); paths > 0; --paths)
-    sample.push_back({2 + below(max_vertices - 1), below(3), below(3) * below(13),
-                      random.uniform()});
+    sample.push_back(
+        {2 + below(max_vertices - 1), below(3), below(3) * below(13), random.uniform()});
   return sample;
 }
 

@@ -54,11 +54,18 @@ class MemoryOfRuns : public CommandLine {
 };
 
 TEST_F(MemoryOfRuns, IsBetweenHalfOfWhatTheySayAndTheWhole) {
-  for (const Case& c :
-       {Case{"bdpt", 100}, {"mlt", 100}, {"bdpt", 16'000}, {"mlt", 16'000}, {"pssmlt", 16'000},
-        {"mmlt", 16'000}, {"pt", 1'000'000}, {"bdpt", 1'000'000, "--by-length"},
-        {"mlt", 1'000'000}, {"mlt", 1'000'000, "--by-length --maps"}, {"pssmlt", 1'000'000},
-        {"mmlt", 1'000'000}}) {
+  for (const Case& c : {Case{"bdpt", 100},
+                        {"mlt", 100},
+                        {"bdpt", 16'000},
+                        {"mlt", 16'000},
+                        {"pssmlt", 16'000},
+                        {"mmlt", 16'000},
+                        {"pt", 1'000'000},
+                        {"bdpt", 1'000'000, "--by-length"},
+                        {"mlt", 1'000'000},
+                        {"mlt", 1'000'000, "--by-length --maps"},
+                        {"pssmlt", 1'000'000},
+                        {"mmlt", 1'000'000}}) {
     write_box(c.bins);
     const double used = used_by(c), said = said_of(c);
     std::cout << c.method << ' ' << c.bins << ' ' << c.options << ": used " << used / 1e6

@@ -23,8 +23,7 @@ struct Case {
   FilmLayout film{};
 };
 // As films of more than 2^14 bins are kept, with all that they may have.
-constexpr FilmLayout large{
-    .most_small = 4, .by_length = Keep::always, .maps = Keep::always};
+constexpr FilmLayout large{.most_small = 4, .by_length = Keep::always, .maps = Keep::always};
 std::string name_of_case(const Case& c) {
   std::string name = c.method;
   std::ranges::replace(name, '-', '_');
