@@ -52,6 +52,20 @@ void LargeSampleFilm::merge(const SampleList& part) {
   samples_ += part.samples_;
 }
 
+void LargeSampleFilm::merge(const LargeSampleFilm& other) {
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    sums_[i].sum += other.sums_[i].sum;
+    sums_[i].squares += other.sums_[i].squares;
+  }
+  for (std::size_t k = 0; k < lengths_.size(); ++k) {
+    lengths_[k].resize(std::max(lengths_[k].size(), other.lengths_[k].size()));
+    for (std::size_t i = 0; i < other.lengths_[k].size(); ++i)
+      lengths_[k][i] += other.lengths_[k][i];
+  }
+  techniques_.merge(other.techniques_);
+  samples_ += other.samples_;
+}
+
 FilmEstimate LargeSampleFilm::estimate(std::span<const int> resolution) const {
   FilmEstimate film = estimate_of_samples(resolution, samples_, techniques_,
                                           [this](std::size_t bin) { return sums_[bin]; });

@@ -56,6 +56,7 @@ class LargeSampleFilm {
   LargeSampleFilm(int bins, int max_vertices, const FilmLayout& layout);
 
   void merge(const SampleList& part);
+  void merge(const LargeSampleFilm& other);
 
   std::uint64_t samples() const { return samples_; }
   FilmEstimate estimate(std::span<const int> resolution) const;

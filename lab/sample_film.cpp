@@ -28,6 +28,31 @@ int bins_of(std::span<const int> shape) {
   return bins;
 }
 
+// Sums over samples, and their number.
+template <class Film>
+class SampleFindings final : public Findings {
+ public:
+  SampleFindings(const char* method, std::vector<int> shape)
+      : method_(method), shape_(std::move(shape)) {}
+
+  void add(const Film& film) {
+    if (film_)
+      film_->merge(film);
+    else
+      film_ = film;
+  }
+  // To a film.
+  void add_part(const typename Film::Part& part) { film_->merge(part); }
+  Rendering rendering() const override {
+    return {.method = method_, .samples = film_->samples(), .film = film_->estimate(shape_)};
+  }
+
+ private:
+  const char* method_;
+  std::vector<int> shape_;
+  std::optional<Film> film_;
+};
+
 // When a budget of time is spent.
 double end_of(const Budget& budget) {
   const auto* time = std::get_if<TimeBudget>(&budget);
@@ -87,7 +112,17 @@ class SampleRun final : public LiveRun {
     return film.estimate(shape_);
   }
   Rendering findings() const override {
-    return {.method = method_, .samples = samples(), .film = preview()};
+    SampleFindings<Film> own(method_, shape_);
+    add_to(own);
+    return own.rendering();
+  }
+  std::unique_ptr<Findings> no_findings() const override {
+    return std::make_unique<SampleFindings<Film>>(method_, shape_);
+  }
+  void add_to(Findings& all) const override {
+    auto& found = dynamic_cast<SampleFindings<Film>&>(all);
+    found.add(film_);
+    if (open_) found.add_part(*open_);
   }
 
   void save(cereal::BinaryOutputArchive& archive) const override {

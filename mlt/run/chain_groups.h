@@ -9,6 +9,7 @@
 
 #include "mlt/run/chain_settings.h"
 #include "mlt/run/group.h"
+#include "mlt/run/large_film.h"
 #include "work/parallel.h"
 
 namespace wander {
@@ -86,13 +87,12 @@ class ChainGroups {
   }
 
   // The pixels of a large film; none if every group has a film of its own.
-  const SharedFilms* shared() const { return shared_ ? &*shared_ : nullptr; }
-  // The light on a bin that a deposit on one of the shared films stands for.
-  double light_of_shared_deposit() const {
-    if (steps_ == 0) return 0;
+  std::optional<SharedLight> shared_light() const {
+    if (!shared_) return std::nullopt;
+    if (steps_ == 0) return SharedLight{&*shared_, 0};
     const auto films = static_cast<double>(shared_->count());
-    return mean_light_ * films / static_cast<double>(count()) * static_cast<double>(active()) /
-           static_cast<double>(steps_);
+    return SharedLight{&*shared_, mean_light_ * films / static_cast<double>(count()) *
+                                      static_cast<double>(active()) / static_cast<double>(steps_)};
   }
 
  private:

@@ -1,6 +1,7 @@
 #include "mlt/run/large_film.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mlt/run/deposit.h"
@@ -18,13 +19,19 @@ class Parts {
   }
 
   std::size_t count() const { return count_; }
+  std::vector<double> weights() const {
+    std::vector<double> weights;
+    for (const SharedLight& run : runs_)
+      weights.insert(weights.end(), static_cast<std::size_t>(run.films->count()), run.weight);
+    return weights;
+  }
   std::size_t bins() const { return runs_.front().films->bins(); }
   // The light that each says falls on a bin.
   void at(std::size_t bin, std::vector<double>& light) const {
     light.clear();
     for (const SharedLight& run : runs_)
       for (std::size_t f = 0; f < static_cast<std::size_t>(run.films->count()); ++f)
-        light.push_back(run.scale * run.films->deposits(f, bin));
+        light.push_back(run.weight * run.scale * run.films->deposits(f, bin));
   }
 
  private:
@@ -49,7 +56,8 @@ std::map<int, std::vector<double>> by_length(std::span<const SharedLight> runs, 
       if (mean.empty()) continue;
       auto& film = films[static_cast<int>(n) + 2];
       film.resize(mean.size());
-      const double weight = factor * run.scale * run.films->count() / static_cast<double>(count);
+      const double weight =
+          factor * run.weight * run.scale * run.films->count() / static_cast<double>(count);
       for (std::size_t j = 0; j < mean.size(); ++j) film[j] += weight * mean[j];
     }
   return films;
@@ -63,7 +71,8 @@ bool is_reliable(std::size_t films, double value, double error) {
 
 }  // namespace
 
-FilmEstimate mean_film(std::span<const SharedLight> runs, std::vector<int> shape) {
+FilmEstimate mean_film(const SharedLight& run, std::vector<int> shape) {
+  const std::array runs{run};
   const Parts parts(runs);
   const auto bins = static_cast<double>(parts.bins()), count = static_cast<double>(parts.count());
   FilmEstimate film{.shape = std::move(shape)};
@@ -86,7 +95,8 @@ FilmEstimate mean_film(std::span<const SharedLight> runs, std::vector<int> shape
 
 std::vector<double> without_films(std::span<const SharedLight> runs, const Constant& constant) {
   const double b = constant.b.value;
-  const auto groups = static_cast<double>(constant.without.size());
+  double total = 0;  // weight
+  for (const SharedLight& run : runs) total += run.weight * run.films->groups();
   std::vector<double> without;
   std::size_t first = 0;
   for (const SharedLight& run : runs) {
@@ -95,7 +105,7 @@ std::vector<double> without_films(std::span<const SharedLight> runs, const Const
       double pull = 0, members = 0;
       for (int g = f; g < films.groups(); g += films.count(), ++members)
         pull += constant.without[first + static_cast<std::size_t>(g)] - b;
-      without.push_back(b + (groups - 1) / (groups - members) * pull);
+      without.push_back(b + (total - run.weight) / (total - members * run.weight) * pull);
     }
     first += static_cast<std::size_t>(films.groups());
   }
@@ -105,7 +115,7 @@ std::vector<double> without_films(std::span<const SharedLight> runs, const Const
 FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& constant,
                              std::vector<int> shape) {
   const Parts parts(runs);
-  const std::vector<double> without = without_films(runs, constant);
+  const std::vector<double> without = without_films(runs, constant), weights = parts.weights();
   const auto bins = static_cast<double>(parts.bins());
   const double b = constant.b.value;
   std::vector<double> light, masses(parts.count());
@@ -130,7 +140,7 @@ FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& 
       const double deviation = values[f] / b - share;
       deviations[f] += deviation * deviation;
     }
-    const double value = b * bins * share, error = bins * jackknife_error(values);
+    const double value = b * bins * share, error = bins * jackknife_error(values, weights);
     film.value.push_back(value);
     film.standard_error.push_back(error);
     film.reliable.push_back(is_reliable(lit, value, error));

@@ -16,18 +16,20 @@ namespace wander {
 struct SharedLight {
   const SharedFilms* films;
   double scale;
+  double weight = 1;  // of each group, among those of other runs (group_findings.h)
 };
 
-// The mean of the films of all runs, of which each is a mean of groups with constants of their own.
-FilmEstimate mean_film(std::span<const SharedLight> runs, std::vector<int> shape);
+// The mean of the films of a run, of which each is a mean of groups with constants of their own.
+FilmEstimate mean_film(const SharedLight& run, std::vector<int> shape);
 
 // Scaled to the constant, whose `without` are of the groups of the first run, then of the second, …
 FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& constant,
                              std::vector<int> shape);
 
 // What the constant would be without the groups of each film: the delete-a-group jackknife, taken
-// further to several groups at once, to the first order, in which each group pulls by itself:
-//   b without k of G groups ≈ b + (G - 1)/(G - k) Σ over the k (b without it - b).
+// further to several groups at once, to the first order, in which each group pulls by itself.  Of
+// groups of weight w, k of which are left out, with W the weight of all,
+//   b without them ≈ b + (W - w)/(W - k w) Σ over the k (b without it - b).
 std::vector<double> without_films(std::span<const SharedLight> runs, const Constant& constant);
 
 }  // namespace wander

@@ -86,7 +86,7 @@ SharedFilms made(double first, double step) {
 
 TEST(LargeFilm, IsTheMeanOfItsFilmsWithTheErrorOfAMean) {
   const SharedFilms films = made(10, 1);  // 10, 11, … 25: variance 68/3
-  const FilmEstimate film = mean_film(std::array{SharedLight{&films, 0.5}}, {2});
+  const FilmEstimate film = mean_film({&films, 0.5}, {2});
   EXPECT_DOUBLE_EQ(film.value[0], 2 * 0.5 * 17.5);
   EXPECT_DOUBLE_EQ(film.value[1], 2 * 0.5 * 10);
   EXPECT_NEAR(film.standard_error[0], 2 * 0.5 * std::sqrt(340.0 / 15 / 16), 1e-12);
@@ -95,12 +95,16 @@ TEST(LargeFilm, IsTheMeanOfItsFilmsWithTheErrorOfAMean) {
   EXPECT_TRUE(film.reliable[0]);
 }
 
-TEST(LargeFilm, OfTwoRunsIsThatOfAllFilms) {
-  const SharedFilms one = made(10, 1), other = made(26, 1);
-  const FilmEstimate film =
-      mean_film(std::array{SharedLight{&one, 1}, SharedLight{&other, 1}}, {2});
-  EXPECT_DOUBLE_EQ(film.value[0], 2 * 25.5);
-  EXPECT_EQ(film.degrees_of_freedom, 31);
+// Two runs of 16 films are as one of 32; one whose groups count twice is heard twice.
+TEST(LargeFilm, OfTwoRunsIsThatOfAllTheirFilms) {
+  const SharedFilms one = made(10, 1), other = made(10, 0);
+  const Constant b{.b = {3, 0}, .without = std::vector<double>(32, 3.0)};
+  const auto share = [&](double weight) {
+    const std::array runs{SharedLight{&one, 1}, SharedLight{&other, 1, weight}};
+    return normalized_film(runs, b, {2}).value[0] / 6;
+  };
+  EXPECT_NEAR(share(1), (17.5 + 10) / (17.5 + 10 + 10 + 10), 1e-12);
+  EXPECT_NEAR(share(2), (17.5 + 20) / (17.5 + 10 + 20 + 20), 1e-12);
 }
 
 // Of a mean the jackknife of several groups follows from that of one: exactly.
