@@ -60,7 +60,7 @@ MergePart read_part(const fs::path& directory) {
         "{} holds runs that were merged already: name those runs themselves, and the others",
         directory.string()));
   MergePart part{.directory = directory, .run = read_checkpoint(directory, remedy)};
-  part.run.run.state.clear();
+  std::string().swap(part.run.run.state);  // and its memory
   const std::uint64_t samples = part.run.run.headway.samples;
   if (samples == 0)
     throw UsageError(fmt::format(

@@ -42,7 +42,9 @@ std::string work_line(const Rendering& rendering) {
   line += seeds_in_words(rendering);
   if (rendering.chains > 0)
     line += fmt::format("; {} chains in {} groups", rendering.chains, rendering.groups);
-  return line + (rendering.complete ? "\n" : "; INCOMPLETE, it was interrupted\n");
+  if (rendering.complete) return line + "\n";
+  return fmt::format("{}; INCOMPLETE, {} was interrupted\n", line,
+                     rendering.merged.empty() ? "it" : "a part of it");
 }
 
 std::string film_lines(const FilmEstimate& film) {

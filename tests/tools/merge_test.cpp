@@ -128,6 +128,7 @@ TEST_F(Merge, OfAnInterruptedRunIsIncomplete) {
             124);
   const Outcome outcome = wander("merge a b -o both");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_HAS(outcome.err, "INCOMPLETE, a part of it was interrupted");
   EXPECT_HAS(outcome.err, "1 of 2 runs did not come to the end of their budgets: b");
   const json record = record_in("both");
   EXPECT_FALSE(record["complete"]);
