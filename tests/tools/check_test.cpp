@@ -63,11 +63,15 @@ TEST_F(CommandLine, CheckFindsNoLightAndSaysSo) {
   EXPECT_TRUE(json::parse(check.out).contains("error"));
 }
 
-TEST_F(CommandLine, CheckThatHasTooFewSamplesDecidesNothing) {
+TEST_F(CommandLine, CheckThatCouldTestNothingHasNotPassed) {
   const Outcome check = wander("check box.json --samples 10");
-  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_EQ(check.exit_code, 4) << check.err;
   EXPECT_HAS(check.out, "not tested: it moved");
-  EXPECT_HAS(check.out, "nothing could be tested");
+  EXPECT_HAS(check.out, "NOTHING COULD BE TESTED: 0 tests passed, 0 failed, ");
+  const Outcome document = wander("check box.json --samples 10 --json");
+  EXPECT_EQ(document.exit_code, 4);
+  EXPECT_EQ(json::parse(document.out)["passed"], false);
+  EXPECT_HAS(wander("check --help").out, "when none could be made");
 }
 
 TEST_F(CommandLine, CheckRefusesWhatItCannotDo) {
