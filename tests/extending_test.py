@@ -40,7 +40,8 @@ def shown(command, number):
 
 class Copy:
     def __init__(self, folder, options):
-        self.tree, self.build = folder / "source", folder / "build"
+        self.tree = folder / "source"
+        self.build = self.tree / "build/release"  # with the paths that a compiler cache knows
         shutil.rmtree(self.tree, ignore_errors=True)
         self.tree.mkdir(parents=True)
         for part in PARTS.split():
