@@ -53,6 +53,8 @@ TEST(OwnShape, SpreadsItsPointsByArcLength) {
   EXPECT_NEAR(upright.measure(), length, 1e-12);
   for (const double u : {0.5, 0.55, 0.7, 0.9, 0.999})
     EXPECT_NEAR(from_vertex(upright.sample({u}).position.x), (u - 0.5) * length, 1e-12) << u;
+  // Points spread evenly across the axis would not be.
+  EXPECT_GT(std::abs(from_vertex(6 * 0.9 - 3) - (0.9 - 0.5) * length), 0.1);
 }
 
 TEST(OwnShape, FindsTheParameterOfItsPoints) {
