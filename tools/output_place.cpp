@@ -35,14 +35,14 @@ const char* contents_of(const fs::path& directory) {
 }
 
 // What a program that was killed has left behind does not count.
-bool is_empty(const fs::path& directory, std::error_code& error) {
+bool holds_nothing(const fs::path& directory, std::error_code& error) {
   return std::ranges::all_of(fs::directory_iterator(directory, error),
                              [](const fs::directory_entry& entry) { return is_temporary(entry); });
 }
 
 void require_empty(const fs::path& directory, const Global& global, std::string_view remedy) {
   std::error_code error;
-  const bool empty = is_empty(directory, error);
+  const bool empty = holds_nothing(directory, error);
   if (error) throw OutputError(directory.string(), error.value());
   if (empty || global.force) return;
   throw UsageError(fmt::format("{} holds {}; choose another place, {}", directory.string(),
