@@ -45,7 +45,7 @@ std::string entry_of(std::string_view name, std::string_view text) {
 }
 
 // Text that is laid out for a terminal, laid out anew for any page: paragraphs, lists of
-// "  name  what it is", and other indented lines, such as commands, as they are.
+// "  name  what it is", and other indented lines, such as commands, each on a line of its own.
 class Layout {
  public:
   void add(std::string_view line) {
@@ -63,7 +63,7 @@ class Layout {
       name_ = words.substr(0, gap);
       what_ = words.substr(words.find_first_not_of(' ', gap));
     } else {
-      text_ += fmt::format(".RS 2\n.nf\n{}\n.fi\n.RE\n", escaped(words));
+      text_ += fmt::format(".RS 2\n.ad l\n.nh\n{}\n.hy\n.ad b\n.RE\n", escaped(words));
     }
   }
   std::string text() && {
