@@ -117,7 +117,7 @@ TEST(ReportNumbers, AnIntervalThatIsNotKnownIsMarked) {
   Table table = named_rows("caption", "contender", {"a", "b"});
   table.add_measured("error", {{2, {1.6, 2.5}}, {3, {}}});
   ASSERT_EQ(table.rows.size(), 2u);
-  EXPECT_EQ(table.rows[0].at(2), "[1.6, 2.5]");
+  EXPECT_EQ(table.rows[0].at(2), "[1.60, 2.50]");
   EXPECT_EQ(table.rows[1].at(2), unknown_number);
   Table without = named_rows("caption", "contender", {"a"});
   without.add_measured("error", {{3, {}}});
