@@ -1,5 +1,6 @@
 // What a scene file says, as plain data: the contract between the reader of scene files and the
-// builder of scenes.  Nothing here knows JSON, geometry or light transport.
+// builder of scenes.  Nothing here knows JSON or light transport; which shapes there are stands in
+// geometry/shape.h.
 //
 // Units: metres, degrees where a name ends in `_degrees`, radiance in W/(m rad) in two dimensions
 // and W/(m^2 sr) in three.  A document that reaches this form is valid: every number is finite and
@@ -12,10 +13,10 @@
 #include <variant>
 #include <vector>
 
+#include "core/geometry/shape.h"
+
 namespace wander::description {
 
-// Two coordinates in Flatland, three in Spaceland; the third is zero in Flatland.
-using Coordinates = std::array<double, 3>;
 // One number, or red, green and blue: grey is three equal channels with `coloured` false.
 struct Quantity {
   std::array<double, 3> channels{};
@@ -56,24 +57,9 @@ struct Sensor {
   std::vector<int> resolution;
 };
 
-struct Segment {
-  Coordinates from{}, to{};
-};
-struct Polyline {
-  std::vector<Coordinates> points;
-  bool closed = false;
-};
-struct Circle {
-  Coordinates center{};
-  double radius = 0;
-  bool flip = false;
-};
-struct Arc {
-  Coordinates center{};
-  double radius = 0, from_degrees = 0, to_degrees = 0;
-  bool flip = false;
-};
-using ShapeKind = std::variant<Segment, Polyline, Circle, Arc>;
+inline Outline outline_of(const ShapeKind& kind) {
+  return std::visit([](const auto& shape) { return shape.outline(); }, kind);
+}
 
 struct Shape {
   ShapeKind kind;

@@ -27,8 +27,11 @@ constexpr Engine engine_in() {
           .check = &check_in<W>};
 }
 
-// The worlds that are compiled in.
-constexpr std::array table{engine_in<Flatland>(), engine_in<FlatlandSingle>()};
+template <World... Ws>
+constexpr std::array<Engine, sizeof...(Ws)> engines_in(WorldList<Ws...>) {
+  return {engine_in<Ws>()...};
+}
+constexpr std::array table = engines_in(Worlds{});
 
 constexpr bool has(int dimension, Precision precision) {
   return std::ranges::count(table, WorldKind{dimension, precision}, &Engine::world) == 1;

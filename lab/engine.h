@@ -1,5 +1,4 @@
-// What computes a job: the one place where a world is chosen (engine.cpp holds the table of those
-// that are compiled in).
+// What computes a job: the one place where a world is chosen, of those in world_list.h.
 #pragma once
 
 #include <functional>

@@ -23,23 +23,16 @@ struct Reach {
   void point(const description::Coordinates& p) {
     farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1])});
   }
-  void edge(const description::Coordinates& a, const description::Coordinates& b) {
-    point(a);
-    point(b);
-    shortest = std::min(shortest, std::hypot(b[0] - a[0], b[1] - a[1]));
+  void operator()(const description::Segment& s) {
+    point(s.from);
+    point(s.to);
+    shortest = std::min(shortest, s.length());
   }
-  void round(const description::Coordinates& center, double radius) {
-    point(center);
-    farthest = std::max(farthest, radius);
-    shortest = std::min(shortest, radius);
+  void operator()(const description::Arc& s) {
+    point(s.center);
+    farthest = std::max(farthest, s.radius);
+    shortest = std::min(shortest, s.radius);
   }
-  void operator()(const description::Segment& s) { edge(s.from, s.to); }
-  void operator()(const description::Polyline& s) {
-    for (std::size_t i = 0; i + 1 < s.points.size(); ++i) edge(s.points[i], s.points[i + 1]);
-    if (s.closed) edge(s.points.back(), s.points.front());
-  }
-  void operator()(const description::Circle& s) { round(s.center, s.radius); }
-  void operator()(const description::Arc& s) { round(s.center, s.radius); }
 };
 
 double reflectance_of(const description::MaterialKind& kind) {
@@ -70,7 +63,8 @@ std::string why_beyond(Precision precision, const description::Scene& scene) {
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const auto& shape = scene.shapes[i];
     Reach reach;
-    std::visit(reach, shape.kind);
+    for (const auto& stroke : outline_of(shape.kind))
+      std::visit([&](const auto& s) { reach(s); }, stroke);
     for (const double length : {reach.farthest, reach.shortest})
       if (!lengths.holds(length))
         return fmt::format("/shapes/{}: {}", i, beyond("length", length, lengths));

@@ -205,7 +205,7 @@ ExitCode compare_methods(const CompareOptions& options, CompareTask& task, const
 std::string dials_help() {
   std::string text = "Dials, for --dial and --sweep:\n";
   for (const Dial& dial : dials())
-    text += fmt::format("  {:<15} {}\n",
+    text += fmt::format("  {:<19} {}\n",
                         fmt::format("{}={}", dial.word, dial.value.empty() ? "on" : dial.value),
                         dial.help);
   return text;

@@ -71,10 +71,9 @@ std::string number(double x, const char* unit) {
   return std::isnan(x) ? "-" : count_in_words(x) + unit;
 }
 
-// What is the same in all states has no diagnostics.
+// What is the same in all states has no diagnostics, nor has a run that was interrupted early.
 std::string chain_lines(const ChainsRecord& chains, double seconds) {
-  std::string text = fmt::format("  {:<24} {:>7} {:>9} {:>9} {:>10}  autocorrelation\n", "chains",
-                                 "R-hat", "ESS bulk", "tail", "ESS/s");
+  std::string text;
   for (const FunctionalRecord& f : chains.functionals) {
     if (std::isnan(f.r_hat) && std::isnan(f.ess_bulk)) continue;
     text +=
@@ -83,7 +82,10 @@ std::string chain_lines(const ChainsRecord& chains, double seconds) {
                     number(f.ess_bulk, ""), number(f.ess_tail, ""),
                     number(f.ess_bulk / seconds, ""), number(f.autocorrelation_time, " mutations"));
   }
-  return text;
+  if (text.empty()) return text;
+  return fmt::format("  {:<24} {:>7} {:>9} {:>9} {:>10}  autocorrelation\n", "chains", "R-hat",
+                     "ESS bulk", "tail", "ESS/s") +
+         text;
 }
 
 // The commonest reasons, as shares of all proposals.

@@ -14,10 +14,12 @@
 //   }
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "lab/exit_code.h"
 #include "tools/examination.h"
@@ -28,6 +30,7 @@ class App;
 
 namespace wander {
 
+inline constexpr std::array<std::string_view, 4> progress_words{"auto", "bar", "json", "none"};
 enum class ProgressMode { automatic, bar, json, none };
 
 // What every verb is told by the options that all verbs share.

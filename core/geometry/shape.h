@@ -1,4 +1,5 @@
-// The closed set of shapes of each world.
+// The list of shapes: those that scene files name, and the curves and surfaces of each world that
+// rays meet.  Each is defined in its own file.
 #pragma once
 
 #include <utility>
@@ -8,6 +9,10 @@
 #include "core/geometry/shapes_space.h"
 
 namespace wander {
+
+namespace description {
+using ShapeKind = std::variant<Segment, Polyline, Circle, Arc>;
+}
 
 template <World W, int D>
 struct ShapesOf;

@@ -14,17 +14,7 @@ namespace wander {
 
 namespace {
 
-using namespace description;
-
-bool same_point(const Coordinates& a, const Coordinates& b) { return a == b; }  // -0 is 0
-
-// Squares of shorter lengths are no normal numbers.
-constexpr double shortest_length = 1e-150;
-constexpr const char* too_short =
-    "shorter than 1e-150, the least length that can be computed with; enlarge the scene";
-bool too_near(const Coordinates& a, const Coordinates& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1]) < shortest_length;
-}
+using description::shortest_length;
 
 class Check {
  public:
@@ -44,13 +34,7 @@ class Check {
   void check_geometry(const std::vector<JsonMember>& shapes);
   void check_camera();
 
-  void check_shape(JsonNode shape, const Segment& segment);
-  void check_shape(JsonNode shape, const Polyline& polyline);
-  void check_shape(JsonNode shape, const Circle& circle) { check_radius(shape, circle.radius); }
-  void check_shape(JsonNode shape, const Arc& arc);
-  void check_radius(JsonNode shape, double radius) {
-    if (radius < shortest_length) note(at(shape, "radius"), too_short);
-  }
+  void note(JsonNode shape, const description::Flaws& flaws);
 
   bool is_faulty(JsonNode node) const {
     const auto found = fault_bytes_.lower_bound(document_.byte_of(node));
@@ -161,42 +145,23 @@ void Check::check_geometry(const std::vector<JsonMember>& shapes) {
   for (const JsonMember& shape : shapes) {
     if (is_full()) return;
     if (is_faulty(shape.node)) continue;
-    std::visit([&](const auto& kind) { check_shape(shape.node, kind); },
-               build_shape_kind(*shape.node.value));
+    note(shape.node, std::visit([](const auto& kind) { return kind.flaws(); },
+                                build_shape_kind(*shape.node.value)));
   }
 }
 
-void Check::check_shape(JsonNode shape, const Segment& segment) {
-  if (same_point(segment.from, segment.to))
-    note(at(shape, "to"), "from and to are the same point; a segment has a length > 0");
-  else if (too_near(segment.from, segment.to))
-    note(at(shape, "to"), too_short);
-}
-
-void Check::check_shape(JsonNode shape, const Polyline& polyline) {
-  const auto& points = polyline.points;
-  const std::vector<JsonMember> nodes = document_.children(at(shape, "points"));
-  for (std::size_t i = 1; i < points.size() && !is_full(); ++i) {
-    if (same_point(points[i], points[i - 1]))
-      note(nodes[i].node, "this repeats the point before it; leave one of the two out");
-    else if (too_near(points[i], points[i - 1]))
-      note(nodes[i].node, too_short);
+void Check::note(JsonNode shape, const description::Flaws& flaws) {
+  std::string_view listed;
+  std::vector<JsonMember> elements;  // of that list
+  for (const description::Flaw& flaw : flaws) {
+    if (is_full()) return;
+    const JsonNode value = at(shape, flaw.key);
+    if (flaw.element && listed != flaw.key) {
+      elements = document_.children(value);
+      listed = flaw.key;
+    }
+    note(flaw.element ? elements[*flaw.element].node : value, flaw.what);
   }
-  if (polyline.closed && same_point(points.front(), points.back()))
-    note(nodes.back().node,
-         "this repeats the first point; leave it out, for \"closed\" joins the ends");
-  else if (polyline.closed && too_near(points.front(), points.back()))
-    note(nodes.back().node, too_short);
-}
-
-void Check::check_shape(JsonNode shape, const Arc& arc) {
-  check_radius(shape, arc.radius);
-  if (arc.from_degrees == arc.to_degrees)
-    note(at(shape, "to_deg"),
-         "from_deg and to_deg are equal; an arc spans > 0 and at most 360 degrees");
-  else if (std::abs(arc.to_degrees - arc.from_degrees) > 360)
-    note(at(shape, "to_deg"), fmt::format("{} degrees are too many; an arc spans at most 360",
-                                          std::abs(arc.to_degrees - arc.from_degrees)));
 }
 
 void Check::check_camera() {

@@ -88,6 +88,21 @@ TEST_F(CommandLine, EveryMistakeInTheCommandLineIsExitTwo) {
   }
 }
 
+// Whoever leaves out `gallery:` is told, with a folder of that name or without.
+TEST_F(CommandLine, ANameOfTheGalleryIsRecognized) {
+  fs::create_directory(folder / "slit");
+  for (const char* source : {"slit", "slit/", "./slit", "lens", "lens.json"}) {
+    const Outcome outcome = wander("render " + std::string(source) + " -m pt -o o");
+    EXPECT_EQ(outcome.exit_code, 3) << source;
+    EXPECT_HAS(outcome.err,
+               std::string("or did you mean gallery:") +
+                   (std::string(source).find("slit") != std::string::npos ? "slit" : "lens"));
+  }
+  EXPECT_LACKS(wander("inspect none.json").err, "gallery:");
+  write("slit.json", "{}");
+  EXPECT_LACKS(wander("inspect slit.json").err, "gallery:");  // a file, if not a scene
+}
+
 TEST_F(CommandLine, AMistypedWordIsAnsweredWithTheNearest) {
   EXPECT_HAS(wander("rendre box.json").err, "did you mean \"render\"?");
   EXPECT_HAS(wander("render box.json -m bdtp -o o").err, "did you mean \"bdpt\"?");
