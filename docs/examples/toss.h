@@ -20,15 +20,15 @@ struct Toss {
     };
     const auto make_sampler = [&]() -> FilmSampler {
       return [space, from_sensor = sampler_of(path_tracing),
-              from_light = sampler_of(light_tracing)](Rng& rng, SampleFilm& film) mutable {
+              from_light = sampler_of(light_tracing)](Rng& rng, Contributions& found) mutable {
         PathSampler<Space>& sampler = rng.uniform() < 0.5 ? from_sensor : from_light;
         sampler.sample(rng, [&](const Path<W>& path, int s, double weighted) {
-          film.add(path.size(), s, space->bin(path), weighted);
+          found.push_back({path.size(), s, space->bin(path), weighted});
         });
       };
     };
     return make_sample_run(name, stage.scene.resolution(), stage.scene.max_vertices(),
-                           stage.execution, make_sampler);
+                           stage.job.dials().film, stage.execution, make_sampler);
   }
 };
 
