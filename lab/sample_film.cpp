@@ -110,9 +110,7 @@ class SampleRun final : public LiveRun {
     return film.estimate(shape_);
   }
   Rendering findings() const override {
-    SampleFindings own(method_, shape_);
-    add_to(own);
-    return own.rendering();
+    return {.method = method_, .samples = samples(), .film = preview()};
   }
   std::unique_ptr<Findings> no_findings() const override {
     return std::make_unique<SampleFindings>(method_, shape_);
