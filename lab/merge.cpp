@@ -17,8 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view remedy =
-    "`wander render` keeps one in its DIR unless told --checkpoint 0: compute that run anew, or "
-    "leave it out";
+    "compute that run anew (`wander render` keeps a checkpoint unless told --checkpoint 0), or "
+    "leave "
+    "it out";
 
 std::string shown(const Checkpoint& run) {
   return fmt::format("{} (sha256 {})", shown_name(run.scene_source),

@@ -112,9 +112,7 @@ class SampleRun final : public LiveRun {
     return film.estimate(shape_);
   }
   Rendering findings() const override {
-    SampleFindings<Film> own(method_, shape_);
-    add_to(own);
-    return own.rendering();
+    return {.method = method_, .samples = samples(), .film = preview()};
   }
   std::unique_ptr<Findings> no_findings() const override {
     return std::make_unique<SampleFindings<Film>>(method_, shape_);
