@@ -19,6 +19,7 @@ constexpr Engine engine_in() {
   constexpr bool is_single = std::same_as<typename W::Real, float>;
   return {.world = {W::dimension, is_single ? Precision::of_float : Precision::of_double},
           .carry_on = &carry_on_in<W>,
+          .merge = &merge_in<W>,
           .trace = &trace_in<W>,
           .replay = &replay_in<W>,
           .check = &check_in<W>};
@@ -56,6 +57,12 @@ Rendering carry_on(const KeptRun& from, const Job& job, const Session& session,
   begun.begun->wall -= from.headway.wall_seconds;
   begun.begun->processor -= from.headway.processor_seconds;
   Rendering rendering = engine_of(job).carry_on(from, job, begun, keeper);
+  rendering.precision = name_of(job.dials().precision);
+  return rendering;
+}
+
+Rendering merge(const Job& job, std::span<const StoredRun> runs, const Session& session) {
+  Rendering rendering = engine_of(job).merge(job, runs, session);
   rendering.precision = name_of(job.dials().precision);
   return rendering;
 }

@@ -21,10 +21,18 @@ struct TraceRequest;  // lab/trace.h
 
 using KernelChecked = std::function<void(KernelCheck)>;
 
+// A run of some job that is kept somewhere.
+struct StoredRun {
+  std::uint64_t seed = 1;
+  std::function<std::string()> state;  // reads it; not empty
+  std::string remedy;                  // ends the message where it cannot be restored
+};
+
 // All that one world can do.
 struct Engine {
   WorldKind world;
   Rendering (*carry_on)(const KeptRun&, const Job&, const Session&, const Keeper&);
+  Rendering (*merge)(const Job&, std::span<const StoredRun>, const Session&);
   Trace (*trace)(const Job&, const Session&, const TraceRequest&);
   Replay (*replay)(const Job&, const Session&, int chain, std::uint64_t step);
   void (*check)(const Job&, const InvarianceOptions&, const Run&, const KernelChecked&);
@@ -40,6 +48,10 @@ Rendering render(const Job& job, const Session& session);
 // Throws CommandFailure where its state cannot be read.
 Rendering carry_on(const KeptRun& from, const Job& job, const Session& session,
                    const Keeper& keeper);
+
+// What runs of this job, all of different seeds, found together, in their order.  Throws
+// CommandFailure where a state cannot be read.
+Rendering merge(const Job& job, std::span<const StoredRun> runs, const Session& session);
 
 // As many chains can be told apart, and traced, as render() runs.
 inline constexpr int most_traced_chains = ChainSettings{}.groups * ChainSettings{}.chains_per_group;

@@ -30,6 +30,28 @@ int bins_of(std::span<const int> shape) {
   return bins;
 }
 
+// Sums over samples, and their number.
+class SampleFindings final : public Findings {
+ public:
+  SampleFindings(const char* method, std::vector<int> shape)
+      : method_(method), shape_(std::move(shape)) {}
+
+  void add(const SampleFilm& film) {
+    if (film_)
+      film_->merge(film);
+    else
+      film_ = film;
+  }
+  Rendering rendering() const override {
+    return {.method = method_, .samples = film_->samples(), .film = film_->estimate(shape_)};
+  }
+
+ private:
+  const char* method_;
+  std::vector<int> shape_;
+  std::optional<SampleFilm> film_;
+};
+
 // When a budget of time is spent.
 double end_of(const Budget& budget) {
   const auto* time = std::get_if<TimeBudget>(&budget);
@@ -89,6 +111,14 @@ class SampleRun final : public LiveRun {
   }
   Rendering findings() const override {
     return {.method = method_, .samples = samples(), .film = preview()};
+  }
+  std::unique_ptr<Findings> no_findings() const override {
+    return std::make_unique<SampleFindings>(method_, shape_);
+  }
+  void add_to(Findings& all) const override {
+    auto& found = dynamic_cast<SampleFindings&>(all);
+    found.add(film_);
+    if (open_) found.add(*open_);
   }
 
   void save(cereal::BinaryOutputArchive& archive) const override {

@@ -106,17 +106,15 @@ class WorldMethods {
   Space space_;
 };
 
-inline void load(LiveRun& run, const std::string& state) {
+inline void load(LiveRun& run, const std::string& state, std::string_view remedy) {
   try {
     if (!state.empty()) restore(run, state);
   } catch (const std::exception& problem) {
     throw CommandFailure(
         ExitCode::invalid_input,
-        std::string("the state in the checkpoint is not one that this build of the program reads "
-                    "(") +
-            problem.what() +
-            "); carry the run on with the build that began it, or compute it anew, with --force "
-            "instead of --continue");
+        fmt::format("the state in the checkpoint is not one that this build of the program reads "
+                    "({}); {}",
+                    problem.what(), remedy));
   }
 }
 
@@ -126,9 +124,33 @@ Rendering carry_on_in(const KeptRun& from, const Job& job, const Session& sessio
   Run execution(session);
   const WorldMethods<W> methods(job, execution);
   const std::unique_ptr<LiveRun> run = methods.make();
-  load(*run, from.state);
+  load(*run, from.state,
+       "carry the run on with the build that began it, or compute it anew, with --force instead of "
+       "--continue");
   Rendering rendering = drive(*run, execution, from.headway, keeper);
   methods.doubt(rendering);
+  return rendering;
+}
+
+// One after the other: of each run what it found is kept, not its state.
+template <World W>
+Rendering merge_in(const Job& job, std::span<const StoredRun> runs, const Session& session) {
+  Run execution(session);
+  std::unique_ptr<Findings> all;
+  for (const StoredRun& stored : runs) {
+    Session its_session = session;
+    its_session.seed = stored.seed;
+    const Run its_execution(its_session);
+    const WorldMethods<W> methods(job, its_execution);
+    const std::unique_ptr<LiveRun> run = methods.make();
+    load(*run, stored.state(), stored.remedy);
+    if (!all) all = run->no_findings();
+    run->add_to(*all);
+    all->keep();
+  }
+  Rendering rendering;
+  run_within(execution, [&] { rendering = all->rendering(); });
+  WorldMethods<W>(job, execution).doubt(rendering);
   return rendering;
 }
 

@@ -3,5 +3,6 @@
 namespace wander {
 
 template Rendering carry_on_in<Flatland>(const KeptRun&, const Job&, const Session&, const Keeper&);
+template Rendering merge_in<Flatland>(const Job&, std::span<const StoredRun>, const Session&);
 
 }  // namespace wander

@@ -93,6 +93,13 @@ void insert_text(Imf::Header& header, const char* name, const std::string& text)
   header.insert(name, Imf::StringAttribute(text));
 }
 
+// "1 2 3"
+std::string seeds_of(const std::vector<MergedRun>& runs) {
+  std::string text;
+  for (const MergedRun& run : runs) text += (text.empty() ? "" : " ") + std::to_string(run.seed);
+  return text;
+}
+
 Imf::Header header_of(const RunRecord& run, const Planes& planes) {
   const Rendering& rendering = run.rendering;
   const Size size = size_of(rendering.film);
@@ -107,6 +114,7 @@ Imf::Header header_of(const RunRecord& run, const Planes& planes) {
     insert_text(header, field.name, run.provenance.origin.*field.member);
   insert_text(header, "method", rendering.method);
   insert_text(header, "seed", std::to_string(rendering.seed));
+  if (!rendering.merged.empty()) insert_text(header, "merged_seeds", seeds_of(rendering.merged));
   insert_text(header, "samples", std::to_string(rendering.samples));
   insert_text(header, "complete", rendering.complete ? "true" : "false");
   header.insert("dimension", Imf::IntAttribute(run.provenance.dimension));

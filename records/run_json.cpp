@@ -123,6 +123,16 @@ ordered_json json_of(const std::vector<MutationRecord>& mutations) {
   return json;
 }
 
+ordered_json json_of(const std::vector<MergedRun>& runs) {
+  ordered_json json = ordered_json::array();
+  for (const MergedRun& run : runs)
+    json.push_back({{"seed", run.seed},
+                    {"samples", run.samples},
+                    {"seconds", json_of(run.seconds)},
+                    {"complete", run.complete}});
+  return json;
+}
+
 std::string read_text(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -146,13 +156,14 @@ ordered_json to_json(const RunRecord& run) {
                     {"dimension", provenance.dimension},
                     {"method", rendering.method},
                     {"samples", rendering.samples},
-                    {"seed", rendering.seed},
-                    {"threads", rendering.threads},
-                    {"seconds", json_of(rendering.seconds)},
-                    {"cpu_seconds", json_of(rendering.processor_seconds)},
-                    {"seed_seconds", json_of(rendering.seed_seconds)},
-                    {"precision", rendering.precision},
-                    {"film", json_of(rendering.film, provenance.dimension)}};
+                    {"seed", rendering.seed}};
+  if (!rendering.merged.empty()) json["merged"] = json_of(rendering.merged);
+  json["threads"] = rendering.threads;
+  json["seconds"] = json_of(rendering.seconds);
+  json["cpu_seconds"] = json_of(rendering.processor_seconds);
+  json["seed_seconds"] = json_of(rendering.seed_seconds);
+  json["precision"] = rendering.precision;
+  json["film"] = json_of(rendering.film, provenance.dimension);
   if (rendering.normalization) json["normalization"] = json_of(*rendering.normalization);
   if (rendering.chains > 0) json["chains"] = chains_of(rendering);
   if (!rendering.mutations.empty()) json["mutations"] = json_of(rendering.mutations);

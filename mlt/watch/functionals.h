@@ -74,7 +74,9 @@ class ThinnedDraws {
 // shortest.
 class ChainDraws {
  public:
-  void add(const ThinnedDraws& chain) { chains_.push_back(&chain); }
+  void add(const ThinnedDraws& chain) { chains_.push_back(chain); }
+  // Of every `step` chains the first `count`.
+  void add(const ChainDraws& others, std::size_t count, std::size_t step);
 
   std::size_t chains() const { return chains_.size(); }
   std::uint64_t stride() const;
@@ -82,7 +84,7 @@ class ChainDraws {
   Draws of(std::size_t functional) const;
 
  private:
-  std::vector<const ThinnedDraws*> chains_;
+  std::vector<ThinnedDraws> chains_;
 };
 
 // R̂ and the effective sample sizes of each functional; autocorrelation times in steps, which are

@@ -27,8 +27,8 @@ TEST_F(CommandLine, HelpNamesEveryVerbThatExistsAndNoOther) {
   const Outcome help = wander("--help");
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* word :
-       {"render", "trace", "compare", "inspect", "gallery", "plot", "check", "Exit codes", "130"})
+  for (const char* word : {"render", "trace", "compare", "inspect", "gallery", "plot", "check",
+                           "merge", "Exit codes", "130"})
     EXPECT_HAS(help.out, word);
 }
 
@@ -40,7 +40,7 @@ TEST_F(CommandLine, WithoutAVerbTheProgramExplainsItself) {
 
 TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
   for (const std::string verb :
-       {"render", "trace", "compare", "inspect", "gallery", "plot", "check"}) {
+       {"render", "trace", "compare", "inspect", "gallery", "plot", "check", "merge"}) {
     const Outcome help = wander(verb + " --help");
     EXPECT_EQ(help.exit_code, 0) << verb;
     EXPECT_HAS(help.out, "wander " + verb);

@@ -59,7 +59,7 @@ TEST_F(Installation, BashCompletesVerbsOptionsMethodsAndScenes) {
 
 TEST_F(Installation, EveryOptionOfEveryVerbIsCompleted) {
   for (const std::string verb :
-       {"render", "trace", "compare", "inspect", "gallery", "plot", "check"}) {
+       {"render", "trace", "compare", "inspect", "gallery", "plot", "check", "merge"}) {
     const std::string options =
         shell("\"$WANDER\" " + verb +
               " --help | grep -oE '^  (-.,)?--[a-z-]+' | grep -oE -- '--.*'")
