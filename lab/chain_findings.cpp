@@ -28,6 +28,8 @@ ChainFindings::ChainFindings(std::string method, std::vector<int> shape, Mutatio
 void ChainFindings::keep() {
   for (std::size_t g = kept_.size(); g < groups_.size(); ++g)
     groups_[g] = kept_.emplace_back(groups_[g]).found();
+  for (std::size_t p = kept_films_.size(); p < parts_.size() && parts_[p].shared; ++p)
+    parts_[p].shared->films = &kept_films_.emplace_back(*parts_[p].shared->films);
 }
 
 Rendering ChainFindings::rendering() const {
@@ -52,23 +54,26 @@ double ChainFindings::Part::size() const {
 // In units of those of the first part, so that groups of one size weigh 1.
 std::vector<GroupFindings> ChainFindings::weighed_groups() const {
   if (parts_.size() == 1) return groups_;
-  const auto each = [](const Part& part) { return part.size() / part.settings.groups; };
   std::vector<GroupFindings> groups;
   for (const Part& part : parts_)
     for (int g = 0; g < part.settings.groups; ++g)
-      groups.push_back(groups_[groups.size()].weighing(each(part) / each(parts_.front())));
+      groups.push_back(groups_[groups.size()].weighing(relative_size(part)));
   return groups;
+}
+double ChainFindings::relative_size(const Part& part) const {
+  const auto each = [](const Part& of) { return of.size() / of.settings.groups; };
+  return parts_.size() == 1 ? 1 : each(part) / each(parts_.front());
 }
 
 // ---- the film
 
 // A part counts as its seed pass does in b, of which this film is the distribution.
 FilmEstimate ChainFindings::unbiased() const {
-  if (parts_.size() == 1) return parts_.front().unbiased.estimate();
+  if (parts_.size() == 1) return unbiased(parts_.front());
   std::vector<WeightedFilm> films;
   int groups = 0;
   for (const Part& part : parts_) {
-    films.push_back({part.unbiased.estimate(), static_cast<double>(part.seeds)});
+    films.push_back({unbiased(part), static_cast<double>(part.seeds)});
     groups += part.settings.groups;
   }
   FilmEstimate film = mean_film(films);
@@ -80,14 +85,29 @@ FilmEstimate ChainFindings::unbiased() const {
   return film;
 }
 
+FilmEstimate ChainFindings::unbiased(const Part& part) const {
+  return part.shared ? mean_film(*part.shared, shape_) : part.unbiased.estimate();
+}
+
+FilmEstimate ChainFindings::film_scaled_to(const Constant& b,
+                                           std::span<const GroupFindings> groups) const {
+  if (!parts_.front().shared) return normalized_film(groups, b, shape_);
+  std::vector<SharedLight> runs;
+  for (const Part& part : parts_) {
+    runs.push_back(*part.shared);
+    runs.back().weight = relative_size(part);
+  }
+  return normalized_film(runs, b, shape_);
+}
+
 void ChainFindings::normalize(Rendering& r) const {
   const NormalizationMethod wanted = parts_.front().settings.normalization;
   const std::vector<GroupFindings> groups = weighed_groups();
   const Constants b = constants(groups);
   const NormalizationMethod method = b.usable(wanted);
   r.normalization = normalization(groups, b, wanted);
-  r.film = method == NormalizationMethod::seed_pass ? unbiased()
-                                                    : normalized_film(groups, b[method], shape_);
+  r.film =
+      method == NormalizationMethod::seed_pass ? unbiased() : film_scaled_to(b[method], groups);
   if (b[method].effective_samples < fewest_effective_samples)
     r.film.reliable.assign(r.film.reliable.size(), false);
   if (method != wanted)

@@ -9,12 +9,14 @@
 #pragma once
 
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lab/findings.h"
 #include "mlt/run/chain_settings.h"
 #include "mlt/run/group_findings.h"
+#include "mlt/run/large_film.h"
 #include "mlt/run/normalization.h"
 #include "mlt/watch/functionals.h"
 #include "mlt/watch/statistics.h"
@@ -29,7 +31,7 @@ class ChainFindings final : public Findings {
   // The groups of one more run, in their order.
   template <class Groups>
   void add(const Groups& groups, const ChainSettings& settings) {
-    Part part{settings, GroupsFilm(shape_)};
+    Part part{settings, GroupsFilm(settings.film.raster(shape_).shape()), groups.shared_light()};
     const std::uint64_t before = statistics_.steps();
     for (const auto& group : groups) {
       group->deliver(part.unbiased, statistics_, part.draws);
@@ -48,7 +50,8 @@ class ChainFindings final : public Findings {
   // What of a run is not of its single groups.
   struct Part {
     ChainSettings settings;
-    GroupsFilm unbiased;  // the mean of what each group says by its own slice
+    GroupsFilm unbiased;  // the mean of what each group says by its own slice; of a large film,
+    std::optional<SharedLight> shared;  // whose pixels are here, on its raster
     int chains = 0;
     std::uint64_t seeds = 0, steps = 0;
     ChainDraws draws{};
@@ -59,6 +62,9 @@ class ChainFindings final : public Findings {
 
   std::vector<GroupFindings> weighed_groups() const;
   FilmEstimate unbiased() const;
+  FilmEstimate unbiased(const Part& part) const;
+  FilmEstimate film_scaled_to(const Constant& b, std::span<const GroupFindings> groups) const;
+  double relative_size(const Part& part) const;
   void normalize(Rendering& r) const;
   void judge(Rendering& r) const;
   std::vector<const Part*> long_enough() const;
@@ -69,6 +75,7 @@ class ChainFindings final : public Findings {
   std::vector<Part> parts_;
   std::vector<GroupFindings> groups_;  // of all parts, in their order
   std::deque<KeptFindings> kept_;      // what the first of them refer to
+  std::deque<SharedFilms> kept_films_;
 };
 
 }  // namespace wander

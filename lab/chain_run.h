@@ -5,6 +5,7 @@
 // order.
 #pragma once
 
+#include <array>
 #include <cereal/archives/binary.hpp>
 #include <cereal/types/array.hpp>
 #include <cereal/types/vector.hpp>
@@ -14,6 +15,7 @@
 #include "lab/chain_findings.h"
 #include "lab/live_run.h"
 #include "mlt/run/chain_groups.h"
+#include "mlt/run/large_film.h"
 #include "mlt/run/normalization.h"
 #include "mlt/run/path_group.h"
 #include "mlt/seeds/nothing_found.h"
@@ -60,6 +62,7 @@ class ChainRun final : public LiveRun {
 
   // With the constants of the seed pass.
   FilmEstimate preview() const override {
+    if (const auto shared = groups_->shared_light()) return mean_film(*shared, shape());
     GroupsFilm film(shape());
     MutationStatistics statistics = no_statistics();
     ChainDraws draws;
@@ -106,7 +109,8 @@ class ChainRun final : public LiveRun {
     return {space_.scene().resolution().begin(), space_.scene().resolution().end()};
   }
   MutationStatistics no_statistics() const {
-    return {Chains::move_names(), space_.scene().bins(), space_.max_vertices()};
+    return {Chains::move_names(), settings_.film.maps_of(space_.scene().resolution()),
+            space_.max_vertices()};
   }
 
   void make_groups(int groups, int chains_of_each) {

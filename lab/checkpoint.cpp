@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "lab/failure.h"
+#include "lab/packing.h"
 #include "records/atomic_file.h"
 #include "records/run_record.h"
 #include "records/seal.h"
@@ -37,17 +38,6 @@ class Refusal {
   std::string_view remedy_;
 };
 
-// States are mostly zeros, of what has not yet happened.
-std::string packed(const std::string& state) {
-  uLongf size = compressBound(static_cast<uLong>(state.size()));
-  std::string bytes(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
-                reinterpret_cast<const Bytef*>(state.data()), static_cast<uLong>(state.size()),
-                Z_BEST_SPEED) != Z_OK)
-    throw std::runtime_error("the state of the run cannot be compressed");
-  bytes.resize(size);
-  return bytes;
-}
 // Into so many bytes; none if they are not what is packed there.
 std::optional<std::string> unpacked(std::string_view bytes, std::size_t size) {
   std::string state(size, '\0');
@@ -58,7 +48,7 @@ std::optional<std::string> unpacked(std::string_view bytes, std::size_t size) {
   return result == Z_OK && found == size ? std::optional(std::move(state)) : std::nullopt;
 }
 
-ordered_json header_of(const Checkpoint& c) {
+ordered_json header_of(const Checkpoint& c, std::uint64_t state_bytes) {
   const Headway& h = c.run.headway;
   return {
       {"version", program_version()},
@@ -68,7 +58,7 @@ ordered_json header_of(const Checkpoint& c) {
       {"dials", c.dials},
       {"seed", c.seed},
       {"precision", name_of(c.turned().precision)},
-      {"state_bytes", c.run.state.size()},
+      {"state_bytes", state_bytes},
       {"samples", h.samples},
       {"seconds", h.wall_seconds},
       {"processor_seconds", h.processor_seconds},
@@ -121,12 +111,23 @@ Dials Checkpoint::turned() const {
 
 fs::path checkpoint_in(const fs::path& directory) { return directory / "checkpoint"; }
 
-void write_checkpoint(const Checkpoint& checkpoint, const fs::path& directory) {
+void write_checkpoint(const Checkpoint& checkpoint, const StateWriter& state,
+                      const fs::path& directory) {
+  std::uint64_t size = 0;
+  write_through([&size](std::string_view piece) { size += piece.size(); }, state);
   // What is no UTF-8, such as the name of a file, must not end a run.
   const std::string header =
-      header_of(checkpoint).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  write_file(checkpoint_in(directory),
-             sealed(fmt::format("{}\n{}\n{}", format, header, packed(checkpoint.run.state))));
+      header_of(checkpoint, size).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  write_file(checkpoint_in(directory), [&](const ByteSink& file) {
+    write_sealed(
+        [&](const ByteSink& bytes) {
+          bytes(fmt::format("{}\n{}\n", format, header));
+          Packing packing(bytes);
+          write_through([&packing](std::string_view piece) { packing.add(piece); }, state);
+          packing.end();
+        },
+        file);
+  });
 }
 
 Checkpoint read_checkpoint(const fs::path& directory, std::string_view remedy) {

@@ -6,6 +6,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "lab/failure.h"
+#include "lab/memory_need.h"
 #include "lab/replay.h"
 #include "lab/trace.h"
 #include "lab/worlds.h"
@@ -38,6 +40,14 @@ const Engine& engine_of(const Job& job) {
   return *std::ranges::find(table, job.world(), &Engine::world);  // Job has seen to it
 }
 
+// The process would be killed, or the machine come to a standstill.
+void require_memory(const KeptRun& from, const Job& job, const Session& session) {
+  MemoryNeed need = memory_need(job, Run(session).threads());
+  need.program += static_cast<double>(from.state.size());
+  if (const std::string why = why_too_large(job, need, available_memory()); !why.empty())
+    throw CommandFailure(ExitCode::failure, why);
+}
+
 }  // namespace
 
 std::span<const Engine> engines() { return table; }
@@ -52,6 +62,7 @@ Rendering render(const Job& job, const Session& session) { return carry_on({}, j
 
 Rendering carry_on(const KeptRun& from, const Job& job, const Session& session,
                    const Keeper& keeper) {
+  require_memory(from, job, session);
   Session begun = session;
   begun.begun = session.clock->now();
   begun.begun->wall -= from.headway.wall_seconds;

@@ -42,7 +42,8 @@ std::span<const Engine> engines();
 // Empty if there is an engine for such a world.
 std::string why_no_engine(const WorldKind& world);
 
-// Throws std::runtime_error; NoLightFound where chains find nothing to start from.
+// Throws std::runtime_error; NoLightFound where chains find nothing to start from, CommandFailure
+// where the run would take more memory than there is.
 Rendering render(const Job& job, const Session& session);
 // The same, from where a run of this job and seed was kept.  What it has taken of the budget counts.
 // Throws CommandFailure where its state cannot be read.

@@ -37,35 +37,36 @@ const Estimator& estimator_of(const Method& method) {
 
 template <World W>
 std::unique_ptr<LiveRun> make_estimate(const Scene<W>& scene, const Estimator& estimator,
-                                       const Run& execution) {
+                                       const FilmLayout& layout, const Run& execution) {
   using Space = Transport<W>;
   const auto transport = std::make_shared<const Space>(scene, estimator.roulette);
   const auto make = [&]() -> FilmSampler {
     return [transport,
             sampler = PathSampler<Space>(*transport, estimator.techniques, estimator.heuristic)](
-               Rng& rng, SampleFilm& film) mutable {
+               Rng& rng, Contributions& found) mutable {
       sampler.sample(rng, [&](const Path<W>& path, int s, double weighted) {
-        film.add(path.size(), s, transport->bin(path), weighted);
+        found.push_back({path.size(), s, transport->bin(path), weighted});
       });
     };
   };
-  return make_sample_run(estimator.name, scene.resolution(), scene.max_vertices(), execution, make);
+  return make_sample_run(estimator.name, scene.resolution(), scene.max_vertices(), layout,
+                         execution, make);
 }
 
 template <World W>
 Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Session& session) {
   Run execution(session);
-  return drive(*make_estimate(scene, estimator, execution), execution);
+  return drive(*make_estimate(scene, estimator, {}, execution), execution);
 }
 
 template std::unique_ptr<LiveRun> make_estimate(const Scene<Flatland>&, const Estimator&,
-                                                const Run&);
+                                                const FilmLayout&, const Run&);
 template Rendering estimate(const Scene<Flatland>&, const Estimator&, const Session&);
 template std::unique_ptr<LiveRun> make_estimate(const Scene<FlatlandSingle>&, const Estimator&,
-                                                const Run&);
+                                                const FilmLayout&, const Run&);
 template Rendering estimate(const Scene<FlatlandSingle>&, const Estimator&, const Session&);
 template std::unique_ptr<LiveRun> make_estimate(const Scene<Spaceland>&, const Estimator&,
-                                                const Run&);
+                                                const FilmLayout&, const Run&);
 template Rendering estimate(const Scene<Spaceland>&, const Estimator&, const Session&);
 
 }  // namespace wander

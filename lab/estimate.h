@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "core/film_layout.h"
 #include "core/path_sampler.h"
 #include "lab/live_run.h"
 #include "lab/method.h"
@@ -25,7 +26,7 @@ const Estimator& estimator_of(const Method& method);
 
 template <World W>
 std::unique_ptr<LiveRun> make_estimate(const Scene<W>& scene, const Estimator& estimator,
-                                       const Run& execution);
+                                       const FilmLayout& layout, const Run& execution);
 
 // Such a run, to the end of the session's budget.
 template <World W>

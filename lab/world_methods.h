@@ -37,7 +37,7 @@ class WorldMethods {
       case MethodId::bdpt:
       case MethodId::pt_naive:
       case MethodId::lt_naive:
-        return make_estimate(*scene_, estimator_of(method), execution_);
+        return make_estimate(*scene_, estimator_of(method), job_.dials().film, execution_);
       case MethodId::mlt:
         return in_path_space();
       case MethodId::pssmlt:
@@ -60,7 +60,9 @@ class WorldMethods {
 
   const char* name() const { return job_.method().name.data(); }
   ChainSettings settings() const {
-    return fitted(job_.dials().chains, execution_.session().budget);
+    ChainSettings settings = job_.dials().chains;
+    settings.film = job_.dials().film;
+    return fitted(settings, execution_.session().budget);
   }
 
   std::unique_ptr<LiveRun> in_path_space() const {

@@ -56,12 +56,21 @@ std::vector<double> bin_centers(const Scene& scene) {
 }
 
 std::string to_csv(const FilmEstimate& film, const std::vector<double>& centers) {
-  std::string text = "bin,center,value,standard_error,reliable\n";
-  for (std::size_t i = 0; i < film.value.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{:d}\n", i, centers.at(i),
+  std::string text;
+  write_csv(film, centers, [&text](std::string_view line) { text += line; });
+  return text;
+}
+
+void write_csv(const FilmEstimate& film, const std::vector<double>& centers, const ByteSink& file) {
+  file("bin,center,value,standard_error,reliable\n");
+  std::string line;
+  for (std::size_t i = 0; i < film.value.size(); ++i) {
+    line.clear();
+    fmt::format_to(std::back_inserter(line), "{},{},{},{},{:d}\n", i, centers.at(i),
                    without_sign_of_nan(film.value[i]),
                    without_sign_of_nan(film.standard_error.at(i)), film.reliable.at(i));
-  return text;
+    file(line);
+  }
 }
 
 }  // namespace wander

@@ -205,7 +205,9 @@ ExitCode compare_methods(const CompareOptions& options, CompareTask& task, const
 std::string dials_help() {
   std::string text = "Dials, for --dial and --sweep:\n";
   for (const Dial& dial : dials())
-    text += fmt::format("  {:<15} {}\n", fmt::format("{}={}", dial.word, dial.value), dial.help);
+    text += fmt::format("  {:<15} {}\n",
+                        fmt::format("{}={}", dial.word, dial.value.empty() ? "on" : dial.value),
+                        dial.help);
   return text;
 }
 

@@ -22,7 +22,9 @@ namespace wander {
 template <class G>
 concept Group = ChainSource<G> &&
     requires(G& group, const G& made, std::uint64_t count, GroupsFilm& film,
-             MutationStatistics& statistics, ChainDraws& draws) {
+             MutationStatistics& statistics, ChainDraws& draws, SharedFilm& pixels) {
+  group.share(pixels, 1.0);
+  { made.light_of_deposits() } -> std::same_as<double>;
   group.advance(count);  // makes so many more steps, of all chains together
   { made.steps() } -> std::same_as<std::uint64_t>;
   made.deliver(film, statistics, draws);
@@ -37,11 +39,13 @@ class ChainGroup {
   using Space = typename Chains::Space;
   using Kernel = typename Chains::Kernel;
 
-  ChainGroup(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains)
-      : source_(space, kernel, seed, group, chains),
-        film_(space.scene().bins(), space.max_vertices()),
+  ChainGroup(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains,
+             const FilmLayout& layout = {})
+      : source_(space, kernel, seed, group, chains, layout),
+        film_(space.scene().resolution(), space.max_vertices(), layout),
         states_(source_.evidence().ratios.size()),
-        statistics_(move_names(), space.scene().bins(), space.max_vertices()) {}
+        statistics_(move_names(), layout.maps_of(space.scene().resolution()),
+                    space.max_vertices()) {}
 
   static constexpr std::span<const std::string_view> move_names() { return Chains::move_names(); }
   void add_seeds(std::uint64_t count) { source_.add_seeds(count); }
@@ -68,6 +72,13 @@ class ChainGroup {
   void advance(std::uint64_t steps) {
     turns_->take(steps, [this](std::size_t k) { step(k); });
     steps_ += steps;
+  }
+
+  // Of a large film, once the chains have started: where the pixels of what they deposit go.
+  void share(SharedFilm& pixels, double factor) { film_.share(pixels, factor); }
+  // What its deposits, over the number of its steps, have to be multiplied by to be light.
+  double light_of_deposits() const {
+    return Chains::deposits == Deposits::shares ? tally().mean() : 1;
   }
 
   void deliver(GroupsFilm& film, MutationStatistics& statistics, ChainDraws& draws) const {
@@ -132,10 +143,6 @@ class ChainGroup {
     states_[Chains::stratum(static_cast<int>(k))].add_within(source_.ratio(state));
     if constexpr (Chains::has_comparable_chains)
       draws_[k].offer([&] { return source_.functionals_of(state); });
-  }
-
-  double light_of_deposits() const {
-    return Chains::deposits == Deposits::shares ? tally().mean() : 1;
   }
 
   // Before the first step, so that none allocates.

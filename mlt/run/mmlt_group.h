@@ -69,8 +69,9 @@ class MmltChains : public SeededChains<Space, LengthSeeds> {
   static constexpr Deposits deposits = Deposits::light;
   static constexpr bool has_comparable_chains = false;  // each has a length of its own
 
-  MmltChains(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int)
-      : SeededChains<Space, LengthSeeds>(space, seed, group, space.max_vertices() - 1),
+  MmltChains(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int,
+             const FilmLayout& layout = {})
+      : SeededChains<Space, LengthSeeds>(space, seed, group, space.max_vertices() - 1, layout),
         kernel_(kernel),
         numbers_(seed, group, chains()) {}
 

@@ -57,7 +57,7 @@ Constant from_least_squares(std::span<const GroupFindings> groups) {
     for (std::size_t bin = 0; bin < group.film->bins(); ++bin)
       film.deposits.push_back(group.scale * group.film->weight(bin));
   }
-  FilmFit fit = fit_films(films);
+  FilmFit fit = fit_films(films, groups.front().film->shape());
   if (!fit.failure.empty()) return {.failure = fit.failure};
   Constant constant{.b = {fit.b, jackknife_error(fit.without, weights_of(groups))},
                     .without = std::move(fit.without),

@@ -16,8 +16,9 @@ class PathChains : public SeededChains<Space, PathSeeds> {
   static constexpr Deposits deposits = Deposits::shares;
   static constexpr bool has_comparable_chains = true;
 
-  PathChains(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains)
-      : SeededChains<Space, PathSeeds>(space, seed, group, chains),
+  PathChains(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains,
+             const FilmLayout& layout = {})
+      : SeededChains<Space, PathSeeds>(space, seed, group, chains, layout),
         kernel_(kernel),
         seed_(seed),
         first_chain_(group * chains),

@@ -54,8 +54,9 @@ class PssmltChains : public SeededChains<Space, SampleSeeds> {
   static constexpr Deposits deposits = Deposits::light;
   static constexpr bool has_comparable_chains = true;
 
-  PssmltChains(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains)
-      : SeededChains<Space, SampleSeeds>(space, seed, group, chains),
+  PssmltChains(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains,
+               const FilmLayout& layout = {})
+      : SeededChains<Space, SampleSeeds>(space, seed, group, chains, layout),
         kernel_(kernel),
         sampler_(space),
         seed_(seed),

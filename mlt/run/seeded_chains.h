@@ -105,8 +105,9 @@ class SeededChains {
   }
 
  protected:
-  SeededChains(const Space& space, std::uint64_t seed, int group, int seeds)
-      : space_(space), slice_(space, seed, group, seeds) {}
+  SeededChains(const Space& space, std::uint64_t seed, int group, int seeds,
+               const FilmLayout& layout)
+      : space_(space), slice_(space, seed, group, seeds, layout) {}
 
   const Space& space_;
   SeedSlice<Space, Seeds> slice_;
