@@ -16,7 +16,8 @@ namespace wander {
 namespace {
 
 constexpr double megabyte = 1e6;
-constexpr double of_program = 40 * megabyte;
+constexpr double of_program = 55 * megabyte;
+constexpr double not_counted = 1.1;  // what small things and the allocator take, as a factor
 constexpr double of_sum = sizeof(Sum), of_double = sizeof(double), of_float = sizeof(float);
 // Of a bin of a film as it comes out: value, error, and a flag.
 constexpr double of_result = 2 * of_double + 1.0 / 8;
@@ -102,7 +103,9 @@ std::string in_gigabytes(double bytes) { return number_text(bytes / 1e9, 2); }
 
 }  // namespace
 
-double MemoryNeed::most() const { return program + std::max(films + chains + end, files); }
+double MemoryNeed::most() const {
+  return program + not_counted * std::max(films + chains + end, files);
+}
 
 MemoryNeed memory_need(const Job& job, int threads) {
   const Size size(job);

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "core/film_layout.h"
+#include "records/bin_maps.h"
 
 namespace wander {
 
@@ -62,25 +63,6 @@ Plane plane_of(const std::vector<double>& values) {
   Plane plane(values.size());
   std::transform(values.begin(), values.end(), plane.begin(), to_float);
   return plane;
-}
-
-// What is known per cell of the raster of a large film, at each of its bins.
-std::vector<double> on_bins(const std::vector<double>& map, const FilmEstimate& film) {
-  if (map.empty() || map.size() == film.value.size()) return map;
-  const Raster raster = FilmLayout{}.raster(film.shape);
-  if (map.size() != raster.cells()) throw std::logic_error("a map does not fit the film");
-  std::vector<double> spread(film.value.size());
-  for (std::size_t j = 0; j < spread.size(); ++j) spread[j] = map[raster.cell(static_cast<int>(j))];
-  return spread;
-}
-// The same of counts, which the bins of a cell share.
-std::vector<double> shared_by_bins(std::vector<double> counts, const FilmEstimate& film) {
-  if (counts.empty() || counts.size() == film.value.size()) return counts;
-  const Raster raster = FilmLayout{}.raster(film.shape);
-  std::vector<double> bins(counts.size());
-  for (std::size_t j = 0; j < film.value.size(); ++j) ++bins.at(raster.cell(static_cast<int>(j)));
-  for (std::size_t c = 0; c < counts.size(); ++c) counts[c] /= bins[c];
-  return on_bins(counts, film);
 }
 
 Planes planes_of(const Rendering& rendering) {
