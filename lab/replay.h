@@ -66,7 +66,7 @@ ReplayedPath replayed(const Space& space, const Path<typename Space::Universe>& 
     for (int k = 0; k < W::dimension; ++k)
       path.vertices.back().position.push_back(static_cast<double>(v.place.position[k]));
   }
-  for (const auto u : space.film(x)) path.film.push_back(static_cast<double>(u));
+  for (const auto u : space.film_position(x)) path.film.push_back(static_cast<double>(u));
   return path;
 }
 

@@ -48,7 +48,7 @@ class Chain {
         current_(space.max_vertices()),
         proposed_(space.max_vertices()) {
     current_ = seed;  // into memory that holds any path, so that no step allocates
-    measure(space, current_);
+    weigh(space, current_);
   }
   Chain(const Space&&, const Kernel&, const Path<W>&) = delete;
   Chain(const Space&, const Kernel&&, const Path<W>&) = delete;
@@ -86,7 +86,7 @@ class Chain {
     if (const Failure* failure = std::get_if<Failure>(&outcome)) reason = failure->reason;
     observe(Step<W>{current_, proposed_, mutation, outcome, a, reason});
     if (reason != Reason::none) return;
-    measure(*space_, proposed_);
+    weigh(*space_, proposed_);
     std::swap(current_, proposed_);
   }
 

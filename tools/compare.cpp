@@ -128,7 +128,7 @@ void make_runs(CompareTask& task, const Global& global, Runs& runs) {
   } else {
     sample_reference(task, std::move(long_plan), cache, course, runs);
   }
-  measure(plan, course, task.kept, runs);
+  make_runs(plan, course, task.kept, runs);
 }
 
 void tell_where_it_goes_on(const CompareTask& task) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lab/compare/kept_comparison.h"
-#include "lab/compare/measure.h"
+#include "lab/compare/make_runs.h"
 #include "scenes/format/scene_file.h"
 #include "tools/examination.h"
 #include "tools/verb.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lab/compare/course.h"
-#include "lab/compare/measure.h"
+#include "lab/compare/make_runs.h"
 
 namespace wander::compare {
 

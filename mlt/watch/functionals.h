@@ -25,7 +25,7 @@ template <class Space>
 Functionals functionals(const Space& space, const Path<typename Space::Universe>& x) {
   int specular = 0;
   for (int i = 0; i < x.size(); ++i) specular += is_specular(x[i].event) ? 1 : 0;
-  return {static_cast<double>(space.film(x)[0]), x.contribution.log(),
+  return {static_cast<double>(space.film_position(x)[0]), x.contribution.log(),
           static_cast<double>(x.size()), static_cast<double>(specular)};
 }
 

@@ -34,7 +34,7 @@ struct Features {
 template <class Space>
 std::array<double, 2> film_position(const Space& space, const Path<typename Space::Universe>& x) {
   std::array<double, 2> position{};
-  const auto film = space.film(x);
+  const auto film = space.film_position(x);
   for (std::size_t axis = 0; axis < film.size(); ++axis)
     position[axis] = static_cast<double>(film[axis]);
   return position;

@@ -1,4 +1,4 @@
-#include "lab/compare/measure.h"
+#include "lab/compare/make_runs.h"
 
 #include <fmt/format.h>
 
@@ -127,7 +127,7 @@ std::vector<Turn> turns_to_come(const Plan& plan, const KeptComparison& kept) {
   return turns;
 }
 
-void measure(const Plan& plan, Course& course, KeptComparison& kept, Runs& runs) {
+void make_runs(const Plan& plan, Course& course, KeptComparison& kept, Runs& runs) {
   for (const Turn& turn : turns_of(plan)) {
     if (kept.has(turn)) {
       add(kept.take(turn), runs);

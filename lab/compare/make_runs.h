@@ -43,6 +43,6 @@ Runs prepared(const Plan& plan, Provenance provenance);
 
 // Turn after turn (schedule()), each kept when it has come to its end; what was kept before is taken
 // from there.  An interruption drops the run that it hits and ends the rest.
-void measure(const Plan& plan, Course& course, KeptComparison& kept, Runs& runs);
+void make_runs(const Plan& plan, Course& course, KeptComparison& kept, Runs& runs);
 
 }  // namespace wander::compare
