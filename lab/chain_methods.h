@@ -6,16 +6,16 @@
 
 namespace wander {
 
-// mlt
-struct PathChains {
+// mlt, in path space
+struct MltMethod {
   template <World W>
   static std::unique_ptr<LiveRun> make(const Stage<W>& stage);
 };
-struct PssmltChains {
+struct PssmltMethod {
   template <World W>
   static std::unique_ptr<LiveRun> make(const Stage<W>& stage);
 };
-struct MmltChains {
+struct MmltMethod {
   template <World W>
   static std::unique_ptr<LiveRun> make(const Stage<W>& stage);
 };

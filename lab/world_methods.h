@@ -46,15 +46,15 @@ std::unique_ptr<LiveRun> in_primary_space(const Stage<W>& stage) {
 }
 
 template <World W>
-std::unique_ptr<LiveRun> PathChains::make(const Stage<W>& stage) {
+std::unique_ptr<LiveRun> MltMethod::make(const Stage<W>& stage) {
   return chain_run<PathGroup<Transport<W>, Family>>(stage, stage.job.family());
 }
 template <World W>
-std::unique_ptr<LiveRun> PssmltChains::make(const Stage<W>& stage) {
+std::unique_ptr<LiveRun> PssmltMethod::make(const Stage<W>& stage) {
   return in_primary_space<PssmltGroup>(stage);
 }
 template <World W>
-std::unique_ptr<LiveRun> MmltChains::make(const Stage<W>& stage) {
+std::unique_ptr<LiveRun> MmltMethod::make(const Stage<W>& stage) {
   return in_primary_space<MmltGroup>(stage);
 }
 
