@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "lab/engine.h"
 #include "lab/failure.h"
@@ -26,7 +27,12 @@ Kept kept_run(const Job& job, std::uint64_t seed, const Budget& budget) {
   session.seed = seed;
   session.threads = 2;
   Kept kept{seed, {}, {}};
-  const Keeper keeper{[&](const KeptRun& run) { kept.state = run.state; }, 0, 0};
+  const Keeper keeper{[&](const Headway&, const StateWriter& state) {
+                        std::ostringstream bytes;
+                        state(bytes);
+                        kept.state = bytes.str();
+                      },
+                      0, 0};
   kept.found = carry_on({}, job, session, keeper);
   return kept;
 }
