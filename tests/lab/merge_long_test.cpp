@@ -4,6 +4,8 @@
 // too short, and a run that is merged with itself, as `merge` refuses to do.
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include <boost/math/distributions/students_t.hpp>
 
 #include "core/exact/diffuse_film.h"
@@ -53,7 +55,12 @@ std::string state_of_run(const Job& job, std::uint64_t seed, std::uint64_t sampl
   session.budget = SampleBudget{samples};
   session.seed = seed;
   std::string state;
-  const Keeper keeper{[&](const KeptRun& run) { state = run.state; }, 0, 0};
+  const Keeper keeper{[&](const Headway&, const StateWriter& write) {
+                        std::ostringstream bytes;
+                        write(bytes);
+                        state = bytes.str();
+                      },
+                      0, 0};
   carry_on({}, job, session, keeper);
   return state;
 }
