@@ -1,5 +1,6 @@
 // What a scene file says, as plain data: the contract between the reader of scene files and the
-// builder of scenes.  Nothing here knows JSON, geometry or light transport.
+// builder of scenes.  Nothing here knows JSON or light transport; which shapes there are stands in
+// geometry/shape.h.
 //
 // Units: metres, degrees where a name ends in `_degrees`, radiance in W/(m rad) in two dimensions
 // and W/(m^2 sr) in three.  A document that reaches this form is valid: every number is finite and
@@ -7,7 +8,6 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -15,12 +15,10 @@
 #include <variant>
 #include <vector>
 
-#include "core/geometry/triangles.h"
+#include "core/geometry/shape.h"
 
 namespace wander::description {
 
-// Two coordinates in Flatland, three in Spaceland; the third is zero in Flatland.
-using Coordinates = std::array<double, 3>;
 // One number, or red, green and blue (linear, Rec. 709): grey is three equal channels with
 // `coloured` false.
 struct Quantity {
@@ -62,57 +60,30 @@ struct Sensor {
   std::vector<int> resolution;
 };
 
-struct Segment {
-  Coordinates from{}, to{};
-};
-struct Polyline {
-  std::vector<Coordinates> points;
-  bool closed = false;
-};
-struct Circle {
-  Coordinates center{};
-  double radius = 0;
-  bool flip = false;
-};
-struct Arc {
-  Coordinates center{};
-  double radius = 0, from_degrees = 0, to_degrees = 0;
-  bool flip = false;
-};
-// Of space; a normal is on the side from which the corners run counter-clockwise.
-struct Triangle {
-  std::array<Coordinates, 3> points{};
-};
-struct Parallelogram {
-  Coordinates origin{};
-  std::array<Coordinates, 2> edges{};  // the normal is along edges[0] × edges[1]
-};
-struct Sphere {
-  Coordinates center{};
-  double radius = 0;
-  bool flip = false;
-};
-struct Mesh {
-  std::string file;                            // as the scene names it
-  std::shared_ptr<const Triangles> triangles;  // of the file, where the transform puts them
-};
-using ShapeKind =
-    std::variant<Segment, Polyline, Circle, Arc, Triangle, Parallelogram, Sphere, Mesh>;
+// A kind of shape of the plane has an outline, one of space has faces.
+template <class Kind>
+inline constexpr int dimension_of = requires(const Kind& kind) {
+  kind.outline();
+}
+? 2 : 3;
 
-// For a visitor that knows the shapes of one dimension only.  Throws std::logic_error for a shape of
-// the other.
-template <class Visitor>
-auto visit_known(Visitor&& visitor, const ShapeKind& kind) {
-  using One = std::conditional_t<std::is_invocable_v<Visitor&, const Segment&>, Segment, Sphere>;
+// For a visitor of the shapes of D dimensions.  Throws std::logic_error for one of the other.
+template <int D, class Visitor>
+auto visit_kind(Visitor&& visitor, const ShapeKind& kind) {
+  using One = std::conditional_t<D == 2, Segment, Triangle>;
   using Result = std::invoke_result_t<Visitor&, const One&>;
   return std::visit(
       [&]<class Kind>(const Kind& shape) -> Result {
-        if constexpr (std::is_invocable_v<Visitor&, const Kind&>)
+        if constexpr (dimension_of<Kind> == D)
           return visitor(shape);
         else
           throw std::logic_error("a shape of the other dimension");
       },
       kind);
+}
+
+inline Outline outline_of(const ShapeKind& kind) {
+  return visit_kind<2>([](const auto& shape) { return shape.outline(); }, kind);
 }
 
 struct Shape {

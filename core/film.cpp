@@ -1,14 +1,19 @@
 #include "core/film.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 namespace wander {
 
-LengthFilms::LengthFilms(int bins, int max_vertices) : bins_(bins) {
-  const std::int64_t lengths = max_vertices - 1;
-  if (lengths * bins <= most_length_values) films_.resize(static_cast<std::size_t>(lengths));
+std::size_t make_room(FilmEstimate& film) {
+  std::size_t bins = 1;
+  for (const int extent : film.shape) bins *= static_cast<std::size_t>(extent);
+  film.value.reserve(bins);
+  film.standard_error.reserve(bins);
+  film.reliable.reserve(bins);
+  return bins;
 }
 
 void LengthFilms::merge(const LengthFilms& other) {
@@ -61,11 +66,11 @@ double TechniqueTally::rare_light(double effective_samples) const {
   return light;
 }
 
-SampleFilm::SampleFilm(int bins, int max_vertices)
+SampleFilm::SampleFilm(int bins, int max_vertices, const FilmLayout& layout)
     : sum_(static_cast<std::size_t>(bins)),
       squares_(static_cast<std::size_t>(bins)),
       current_(static_cast<std::size_t>(bins)),
-      lengths_(bins, max_vertices),
+      lengths_(bins, layout.keeps_lengths(std::array{bins}, max_vertices) ? max_vertices - 1 : 0),
       techniques_(max_vertices) {
   touched_.reserve(static_cast<std::size_t>(std::min(bins, 1 << 16)));
 }
@@ -89,6 +94,11 @@ void SampleFilm::end_sample() {
   ++samples_;
 }
 
+void SampleFilm::add(const Contributions& sample) {
+  for (const Contribution& c : sample) add(c.vertices, c.technique, c.bin, c.value);
+  end_sample();
+}
+
 void SampleFilm::merge(const SampleFilm& other) {
   for (std::size_t i = 0; i < sum_.size(); ++i) {
     sum_[i] += other.sum_[i];
@@ -107,23 +117,35 @@ void SampleFilm::clear() {
   samples_ = 0;
 }
 
-// The value of a bin is bins · E[x]: the mean of the film is E of a whole sample.
 FilmEstimate SampleFilm::estimate(std::span<const int> resolution) const {
+  FilmEstimate film =
+      estimate_of_samples(resolution, samples_, techniques_, [this](std::size_t bin) {
+        return BinSums{sum_[bin].value(), squares_[bin].value()};
+      });
+  film.by_length = lengths_.scaled(
+      samples_ > 0 ? static_cast<double>(sum_.size()) / static_cast<double>(samples_) : 0);
+  return film;
+}
+
+// The value of a bin is bins · E[x]: the mean of the film is E of a whole sample.
+FilmEstimate estimate_of_samples(std::span<const int> resolution, std::uint64_t samples,
+                                 const TechniqueTally& techniques,
+                                 const std::function<BinSums(std::size_t bin)>& sums) {
   FilmEstimate film{.shape = {resolution.begin(), resolution.end()}};
-  const double n = static_cast<double>(samples_), bins = static_cast<double>(sum_.size());
+  const std::size_t count = make_room(film);
+  const double n = static_cast<double>(samples), bins = static_cast<double>(count);
   film.degrees_of_freedom = std::max(0.0, n - 1);
   // Σ of rare light that a bin would have, were it spread evenly.
-  const double rare = techniques_.rare_light(fewest_technique_samples * bins) / bins;
-  for (std::size_t i = 0; i < sum_.size(); ++i) {
-    const double sum = sum_[i].value(), squares = squares_[i].value();
+  const double rare = techniques.rare_light(fewest_technique_samples * bins) / bins;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [sum, squares] = sums(i);
     const double variance = std::max(0.0, squares - sum * sum / n) / (n - 1);
-    film.value.push_back(samples_ > 0 ? bins * sum / n : 0);
-    film.standard_error.push_back(samples_ > 1 ? bins * std::sqrt(variance / n)
-                                               : std::numeric_limits<double>::quiet_NaN());
+    film.value.push_back(samples > 0 ? bins * sum / n : 0);
+    film.standard_error.push_back(samples > 1 ? bins * std::sqrt(variance / n)
+                                              : std::numeric_limits<double>::quiet_NaN());
     film.reliable.push_back(squares > 0 && sum * sum >= fewest_effective_samples * squares &&
                             rare <= most_rare_light * std::sqrt(variance * n));
   }
-  film.by_length = lengths_.scaled(samples_ > 0 ? bins / n : 0);
   return film;
 }
 

@@ -1,15 +1,18 @@
 // The film: what samples deposit, and the estimate with its error bars that comes of it.
 //
-// Two kinds of observations make a film.  Independent samples give their own variance (SampleFilm);
-// Markov chains come in independent groups, and the spread of the groups is the error (GroupFilm).
+// Two kinds of observations make a film.  Independent samples give their own variance (SampleFilm,
+// and LargeSampleFilm where there are many bins); Markov chains come in independent groups, and the
+// spread of the groups is the error (mlt/run/deposit.h).
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <span>
 #include <vector>
 
 #include "core/film_estimate.h"
+#include "core/film_layout.h"
 #include "statistics/sum.h"
 
 namespace wander {
@@ -24,13 +27,14 @@ inline constexpr double fewest_effective_samples = 100;
 inline constexpr double fewest_technique_samples = 5;
 inline constexpr double most_rare_light = 0.5;
 
-// Films by path length are kept up to this many numbers.
-inline constexpr std::int64_t most_length_values = std::int64_t{1} << 24;
+// Room for so many bins as the shape of a film says, of which nothing is known yet; returns how many.
+std::size_t make_room(FilmEstimate& film);
 
 // Films of paths of each length, made as the lengths occur.
 class LengthFilms {
  public:
-  LengthFilms(int bins, int max_vertices);
+  // Keeps none if there are to be none.
+  LengthFilms(int bins, int lengths) : bins_(bins), films_(static_cast<std::size_t>(lengths)) {}
 
   void add(int vertices, int bin, double value) {
     if (films_.empty()) return;
@@ -81,14 +85,41 @@ class TechniqueTally {
   std::vector<Sums> sums_;
 };
 
+// Σ x and Σ x² over samples.
+struct BinSums {
+  double sum = 0, squares = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(sum, squares);
+  }
+};
+
+// The film, but for its parts by length.
+FilmEstimate estimate_of_samples(std::span<const int> resolution, std::uint64_t samples,
+                                 const TechniqueTally& techniques,
+                                 const std::function<BinSums(std::size_t bin)>& sums);
+
+// What a sample found: a path of `vertices`, by technique s = `technique`.
+struct Contribution {
+  int vertices, technique, bin;
+  double value;
+};
+using Contributions = std::vector<Contribution>;
+
 // Contributions of independent samples, per bin: Σ x and Σ x² over samples.
 class SampleFilm {
  public:
-  SampleFilm(int bins, int max_vertices);
+  // Filled on its own and then merged.
+  using Part = SampleFilm;
 
-  // To the sample that is under way: a path of `vertices`, by technique s = `technique`.
+  SampleFilm(int bins, int max_vertices, const FilmLayout& layout = {});
+
+  // To the sample that is under way.
   void add(int vertices, int technique, int bin, double contribution);
   void end_sample();
+  // A whole sample.
+  void add(const Contributions& sample);
   void merge(const SampleFilm& other);
   void clear();
 

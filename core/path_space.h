@@ -39,7 +39,7 @@ concept MovablePathSpace = PathSpace<S> &&
              int i, Toward toward, Event event, typename S::Direction direction, Rng& random) {
   space.move_end(y, i, space.end_parameter(x, i));
   { space.shoot(y, i, toward, direction) } -> std::same_as<bool>;
-  { space.aim_film(y, i, space.film(x)) } -> std::same_as<bool>;
+  { space.aim_film(y, i, space.film_position(x)) } -> std::same_as<bool>;
   { space.follow(y, i, toward, event) } -> std::same_as<bool>;
   { space.direction(x, i, toward) } -> std::convertible_to<typename S::Direction>;
   { space.end_density(x, i) } -> std::convertible_to<double>;

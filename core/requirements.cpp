@@ -19,17 +19,6 @@ struct MaterialType {
   std::string operator()(const RoughDielectric&) const { return "rough_dielectric"; }
 };
 
-struct ShapeType {
-  std::string operator()(const Segment&) const { return "segment"; }
-  std::string operator()(const Polyline&) const { return "polyline"; }
-  std::string operator()(const Circle&) const { return "circle"; }
-  std::string operator()(const Arc&) const { return "arc"; }
-  std::string operator()(const Triangle&) const { return "triangle"; }
-  std::string operator()(const Parallelogram&) const { return "parallelogram"; }
-  std::string operator()(const Sphere&) const { return "sphere"; }
-  std::string operator()(const Mesh&) const { return "mesh"; }
-};
-
 bool is_zero(const Quantity& quantity) {
   return std::all_of(quantity.channels.begin(), quantity.channels.end(),
                      [](double channel) { return channel == 0; });
@@ -72,7 +61,7 @@ struct Coloured {
 // Materials that no shape wears are not part of the scene.
 std::vector<MaterialKind> materials_in_use(const Scene& scene) {
   std::set<std::size_t> used;
-  for (const Shape& shape : scene.shapes)
+  for (const description::Shape& shape : scene.shapes)
     if (shape.material) used.insert(*shape.material);
   std::vector<MaterialKind> kinds;
   for (const std::size_t index : used) kinds.push_back(scene.materials.at(index).kind);
@@ -89,7 +78,7 @@ bool caustics_can_form(const Scene& scene, const std::vector<MaterialKind>& mate
 
 bool is_coloured(const Scene& scene, const std::vector<MaterialKind>& materials) {
   return any_of(materials, Coloured{}) ||
-         std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const Shape& shape) {
+         std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const description::Shape& shape) {
            return shape.light && shape.light->radiance.coloured;
          });
 }
@@ -99,18 +88,20 @@ bool is_coloured(const Scene& scene, const std::vector<MaterialKind>& materials)
 std::vector<int> film_shape(const description::Scene& scene) {
   if (scene.camera) return scene.camera->resolution;
   const auto sensor = std::ranges::find_if(
-      scene.shapes, [](const Shape& shape) { return shape.sensor.has_value(); });
+      scene.shapes, [](const description::Shape& shape) { return shape.sensor.has_value(); });
   return sensor == scene.shapes.end() ? std::vector<int>{} : sensor->sensor->resolution;
 }
 
-std::string type_of(const ShapeKind& kind) { return std::visit(ShapeType{}, kind); }
+std::string type_of(const ShapeKind& kind) {
+  return std::visit([](const auto& shape) { return std::string(shape.name); }, kind);
+}
 
 Requirements requires_of(const Scene& scene) {
   const std::vector<MaterialKind> materials = materials_in_use(scene);
   std::set<std::string> material_types, shape_types;
   for (const MaterialKind& kind : materials)
     material_types.insert(std::visit(MaterialType{}, kind));
-  for (const Shape& shape : scene.shapes) shape_types.insert(type_of(shape.kind));
+  for (const description::Shape& shape : scene.shapes) shape_types.insert(type_of(shape.kind));
 
   Requirements requirements;
   requirements.dimension = scene.dimension;

@@ -101,7 +101,7 @@ double weighted_contribution(const Space& space, const Path<W>& x, int s, const 
 // Writes f(x), the intensity Σ_s p_{s,t}(x) over the techniques of a sampler that gives each the
 // same chance, and the balance weights w_s = p_{s,t} / Σ, s = 0…n, into the path.
 template <class Space, class W>
-void measure(const Space& space, Path<W>& x) {
+void weigh(const Space& space, Path<W>& x) {
   const int n = x.size();
   x.contribution = contribution(x);
   auto& weights = x.weights();

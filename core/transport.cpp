@@ -289,7 +289,7 @@ double Transport<W>::light_choice(ShapeId shape, double u) const {
 }
 
 template <World W>
-auto Transport<W>::film(const Path<W>& x) const -> typename W::Square {
+auto Transport<W>::film_position(const Path<W>& x) const -> typename W::Square {
   const Vertex<W>& last = x[x.size() - 1];
   if (last.place.shape == no_shape)
     return *scene_->camera()->film_coordinate(last.place.position,

@@ -126,8 +126,8 @@ class Transport {
   bool sensor_can_be_hit() const { return !scene_->camera(); }
 
   // Where a whole path meets the film.
-  typename W::Square film(const Path<W>& x) const;
-  int bin(const Path<W>& x) const { return scene_->bin(film(x)); }
+  typename W::Square film_position(const Path<W>& x) const;
+  int bin(const Path<W>& x) const { return scene_->bin(film_position(x)); }
 
  private:
   using Local = typename W::Local;

@@ -1,22 +1,23 @@
-// A run of chains: seed pass, starts and steps of all groups, and what is made of them.
+// A run of chains: seed pass, starts and steps of all groups.  What is made of them is in
+// chain_findings.h.
 //
 // Groups of chains are the unit of parallel work; they share nothing, and are merged in their
 // order.
 #pragma once
 
+#include <array>
 #include <cereal/archives/binary.hpp>
 #include <cereal/types/array.hpp>
 #include <cereal/types/vector.hpp>
 #include <functional>
 #include <memory>
 
-#include "core/film_statistics.h"
+#include "lab/chain_findings.h"
 #include "lab/live_run.h"
 #include "mlt/run/chain_groups.h"
+#include "mlt/run/large_film.h"
 #include "mlt/run/normalization.h"
-#include "mlt/run/normalized_film.h"
 #include "mlt/run/path_group.h"
-#include "mlt/run/warnings.h"
 #include "mlt/seeds/nothing_found.h"
 #include "work/parallel.h"
 
@@ -61,26 +62,25 @@ class ChainRun final : public LiveRun {
 
   // With the constants of the seed pass.
   FilmEstimate preview() const override {
-    Harvest harvest(space_);
-    for (const auto& group : *groups_)
-      group->deliver(harvest.film, harvest.statistics, harvest.draws);
-    return harvest.film.estimate();
+    if (const auto shared = groups_->shared_light()) return mean_film(*shared, shape());
+    GroupsFilm film(shape());
+    MutationStatistics statistics = no_statistics();
+    ChainDraws draws;
+    for (const auto& group : *groups_) group->deliver(film, statistics, draws);
+    return film.estimate();
   }
 
+  std::unique_ptr<Findings> no_findings() const override {
+    return std::make_unique<ChainFindings>(method_, shape(), no_statistics());
+  }
+  void add_to(Findings& all) const override {
+    dynamic_cast<ChainFindings&>(all).add(*groups_, settings_);
+  }
   Rendering findings() const override {
+    ChainFindings own(method_, shape(), no_statistics());
+    own.add(*groups_, settings_);
     Rendering r;
-    Harvest harvest(space_);
-    for (const auto& group : *groups_) {
-      group->deliver(harvest.film, harvest.statistics, harvest.draws);
-      r.chains += group->chains();
-    }
-    r.method = method_;
-    r.samples = harvest.statistics.steps();
-    r.groups = settings_.groups;
-    run_within(run_, [&] {
-      normalize(r, harvest.film);
-      judge(r, groups_->tally(), harvest.draws, harvest.statistics);
-    });
+    run_within(run_, [&] { r = own.rendering(); });
     return r;
   }
 
@@ -105,54 +105,18 @@ class ChainRun final : public LiveRun {
  private:
   static constexpr std::uint64_t steps_per_round = 1024;  // of each group
 
-  // What the groups deliver.
-  struct Harvest {
-    explicit Harvest(const Space& space)
-        : film({space.scene().resolution().begin(), space.scene().resolution().end()}),
-          statistics(Chains::move_names(), space.scene().bins(), space.max_vertices()) {}
-    GroupsFilm film;
-    MutationStatistics statistics;
-    ChainDraws draws{};
-  };
+  std::vector<int> shape() const {
+    return {space_.scene().resolution().begin(), space_.scene().resolution().end()};
+  }
+  MutationStatistics no_statistics() const {
+    return {Chains::move_names(), settings_.film.maps_of(space_.scene().resolution()),
+            space_.max_vertices()};
+  }
 
   void make_groups(int groups, int chains_of_each) {
     settings_.groups = groups;
     settings_.chains_per_group = chains_made_ = chains_of_each;
     groups_ = make_(settings_);
-  }
-
-  void judge(Rendering& r, const SeedTally& tally, const ChainDraws& draws,
-             const MutationStatistics& statistics) const {
-    ChainsRecord chains;
-    if (draws.chains() > 0) {
-      chains = diagnostics(draws);
-      chains.longest_rejection_run = statistics.longest_rejection_run();
-      r.chains_record = chains;
-    }
-    r.mutations = statistics.records();
-    for (std::string& warning : warnings({tally, draws, chains, statistics,
-                                          static_cast<std::size_t>(settings_.chains_per_group)}))
-      r.warnings.push_back(std::move(warning));
-  }
-
-  // `unbiased`: the mean of what each group says by its own slice of the seed pass.
-  void normalize(Rendering& r, const GroupsFilm& unbiased) const {
-    std::vector<GroupFindings> findings;
-    for (const auto& group : *groups_) findings.push_back(group->findings());
-    const Constants b = constants(findings);
-    const NormalizationMethod method = b.usable(settings_.normalization);
-    r.normalization = normalization(findings, b, settings_.normalization);
-    r.film = method == NormalizationMethod::seed_pass
-                 ? unbiased.estimate()
-                 : normalized_film(findings, b[method], unbiased.resolution());
-    if (b[method].effective_samples < fewest_effective_samples)
-      r.film.reliable.assign(r.film.reliable.size(), false);
-    if (method != settings_.normalization)
-      r.warnings.push_back("b is the mean of the seed pass, for the " +
-                           std::string(name_of(settings_.normalization)) +
-                           " estimate failed: " + b[settings_.normalization].failure);
-    if (std::string alarm = disagreement_of_constants(findings, b); !alarm.empty())
-      r.warnings.push_back(std::move(alarm));
   }
 
   const char* method_;

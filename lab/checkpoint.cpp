@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "lab/failure.h"
+#include "lab/packing.h"
 #include "records/atomic_file.h"
 #include "records/run_record.h"
 #include "records/seal.h"
@@ -23,24 +24,20 @@ namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
 constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/1";
-constexpr std::string_view anew =
-    "; compute the run anew: `wander render SCENE -m METHOD --force`, without --continue";
 
-[[noreturn]] void refuse(const fs::path& file, std::string_view what) {
-  throw RunFileError(fmt::format("{}: {}{}", file.string(), what, anew));
-}
+class Refusal {
+ public:
+  Refusal(const fs::path& file, std::string_view remedy) : file_(file), remedy_(remedy) {}
 
-// States are mostly zeros, of what has not yet happened.
-std::string packed(const std::string& state) {
-  uLongf size = compressBound(static_cast<uLong>(state.size()));
-  std::string bytes(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size,
-                reinterpret_cast<const Bytef*>(state.data()), static_cast<uLong>(state.size()),
-                Z_BEST_SPEED) != Z_OK)
-    throw std::runtime_error("the state of the run cannot be compressed");
-  bytes.resize(size);
-  return bytes;
-}
+  [[noreturn]] void operator()(std::string_view what) const {
+    throw RunFileError(fmt::format("{}: {}; {}", file_.string(), what, remedy_));
+  }
+
+ private:
+  const fs::path& file_;
+  std::string_view remedy_;
+};
+
 // Into so many bytes; none if they are not what is packed there.
 std::optional<std::string> unpacked(std::string_view bytes, std::size_t size) {
   std::string state(size, '\0');
@@ -51,7 +48,7 @@ std::optional<std::string> unpacked(std::string_view bytes, std::size_t size) {
   return result == Z_OK && found == size ? std::optional(std::move(state)) : std::nullopt;
 }
 
-ordered_json header_of(const Checkpoint& c) {
+ordered_json header_of(const Checkpoint& c, std::uint64_t state_bytes) {
   const Headway& h = c.run.headway;
   return {
       {"version", program_version()},
@@ -61,7 +58,7 @@ ordered_json header_of(const Checkpoint& c) {
       {"dials", c.dials},
       {"seed", c.seed},
       {"precision", name_of(c.turned().precision)},
-      {"state_bytes", c.run.state.size()},
+      {"state_bytes", state_bytes},
       {"samples", h.samples},
       {"seconds", h.wall_seconds},
       {"processor_seconds", h.processor_seconds},
@@ -98,9 +95,9 @@ std::string_view take_line(std::string_view& bytes) {
   return line;
 }
 
-std::string bytes_of(const fs::path& file) {
+std::string bytes_of(const fs::path& file, const Refusal& refuse) {
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) refuse(file, "cannot be read");
+  if (!stream) refuse("cannot be read");
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
@@ -114,42 +111,53 @@ Dials Checkpoint::turned() const {
 
 fs::path checkpoint_in(const fs::path& directory) { return directory / "checkpoint"; }
 
-void write_checkpoint(const Checkpoint& checkpoint, const fs::path& directory) {
+void write_checkpoint(const Checkpoint& checkpoint, const StateWriter& state,
+                      const fs::path& directory) {
+  std::uint64_t size = 0;
+  write_through([&size](std::string_view piece) { size += piece.size(); }, state);
   // What is no UTF-8, such as the name of a file, must not end a run.
   const std::string header =
-      header_of(checkpoint).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  write_file(checkpoint_in(directory),
-             sealed(fmt::format("{}\n{}\n{}", format, header, packed(checkpoint.run.state))));
+      header_of(checkpoint, size).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  write_file(checkpoint_in(directory), [&](const ByteSink& file) {
+    write_sealed(
+        [&](const ByteSink& bytes) {
+          bytes(fmt::format("{}\n{}\n", format, header));
+          Packing packing(bytes);
+          write_through([&packing](std::string_view piece) { packing.add(piece); }, state);
+          packing.end();
+        },
+        file);
+  });
 }
 
-Checkpoint read_checkpoint(const fs::path& directory) {
+Checkpoint read_checkpoint(const fs::path& directory, std::string_view remedy) {
   const fs::path file = checkpoint_in(directory);
   std::error_code error;
   if (!fs::exists(file, error))
-    throw UsageError(fmt::format("{} holds no checkpoint, so there is no run to carry on{}",
-                                 directory.string(), anew));
-  const std::string whole = bytes_of(file);
-  if (!std::string_view(whole).starts_with(family)) refuse(file, "is not a checkpoint of a run");
+    throw UsageError(fmt::format("{} holds no checkpoint; {}", directory.string(), remedy));
+  const Refusal refuse(file, remedy);
+  const std::string whole = bytes_of(file, refuse);
+  if (!std::string_view(whole).starts_with(family)) refuse("is not a checkpoint of a run");
   const auto unbroken = unsealed(whole);
-  if (!unbroken) refuse(file, "the checkpoint is damaged or cut short");
+  if (!unbroken) refuse("the checkpoint is damaged or cut short");
   std::string_view bytes = *unbroken;
   if (const std::string_view found = take_line(bytes); found != format)
-    refuse(file, fmt::format("its format is {}, and this program reads {}", found, format));
+    refuse(fmt::format("its format is {}, and this program reads {}", found, format));
   try {
     const ordered_json header = ordered_json::parse(take_line(bytes));
     if (const auto version = header.at("version").get<std::string>(); version != program_version())
-      refuse(file, fmt::format("it is of version {} of the program, and this is {}", version,
-                               program_version()));
+      refuse(fmt::format("it is of version {} of the program, and this is {}", version,
+                         program_version()));
     Checkpoint checkpoint = from_header(header);
     checkpoint.turned();
     auto state = unpacked(bytes, header.at("state_bytes").get<std::size_t>());
-    if (!state) refuse(file, "its state cannot be read");
+    if (!state) refuse("its state cannot be read");
     checkpoint.run.state = *std::move(state);
     return checkpoint;
   } catch (const ordered_json::exception& problem) {
-    refuse(file, fmt::format("its header cannot be read ({})", problem.what()));
+    refuse(fmt::format("its header cannot be read ({})", problem.what()));
   } catch (const UsageError& problem) {
-    refuse(file, problem.what());
+    refuse(problem.what());
   }
 }
 

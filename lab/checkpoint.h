@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "lab/dials.h"
 #include "lab/drive.h"
@@ -27,10 +28,12 @@ struct Checkpoint {
 
 std::filesystem::path checkpoint_in(const std::filesystem::path& directory);
 
-// Whole or not at all; throws OutputError.
-void write_checkpoint(const Checkpoint& checkpoint, const std::filesystem::path& directory);
+// With this state instead of its own.  Whole or not at all; throws OutputError.
+void write_checkpoint(const Checkpoint& checkpoint, const StateWriter& state,
+                      const std::filesystem::path& directory);
 
-// Throws UsageError if there is none, RunFileError if it is damaged or of another version.
-Checkpoint read_checkpoint(const std::filesystem::path& directory);
+// Throws UsageError if there is none, RunFileError if it is damaged or of another version; `remedy`
+// ends the message.
+Checkpoint read_checkpoint(const std::filesystem::path& directory, std::string_view remedy);
 
 }  // namespace wander

@@ -14,7 +14,9 @@ enum class DialId {
   normalization,
   precision,
   large_step,
-  kernel
+  kernel,
+  by_length,
+  maps
 };
 
 class DialSet {

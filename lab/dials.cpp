@@ -47,6 +47,17 @@ std::string estimator_help() {
       usual(StepEstimator::kelemen), usual(StepEstimator::expected));
 }
 
+std::string asked_for_help(std::string_view what) {
+  return fmt::format(
+      "keep {} also where the film has more than {} bins; they take memory (docs/memory.md)", what,
+      FilmLayout{}.most_small);
+}
+Keep parse_keep(std::string_view option, std::string_view text) {
+  if (text != "on")
+    throw UsageError(fmt::format("{} '{}': it is asked for by `on`, or not at all", option, text));
+  return Keep::always;
+}
+
 const std::vector<Dial>& table() {
   static const std::vector<Dial> known{
       {DialId::mutations, "mutations", "SPEC", mutations_help(),
@@ -83,6 +94,12 @@ const std::vector<Dial>& table() {
        "how many times as far small moves go (default: 1): those of primary sample space and of "
        "the lens, caustic and multi-chain perturbations",
        [](Dials& dials, std::string_view text) { dials.kernel = parse_kernel(text); }},
+      {DialId::by_length, "by_length", "", asked_for_help("films by path length"),
+       [](Dials& dials, std::string_view text) {
+         dials.film.by_length = parse_keep("--by-length", text);
+       }},
+      {DialId::maps, "maps", "", asked_for_help("maps of acceptance and proposals"),
+       [](Dials& dials, std::string_view text) { dials.film.maps = parse_keep("--maps", text); }},
   };
   return known;
 }

@@ -22,6 +22,7 @@ struct Dials {
   Precision precision = Precision::of_double;      // of scattering, densities and sampling
   double large_step = default_large_step;          // of the primary steps, the share that is large
   double kernel = 1;                               // a factor on how far small moves go
+  FilmLayout film{};                               // what is kept of the film
 
   FamilySettings family() const { return {mutations, large_step, kernel}; }
   bool operator==(const Dials&) const = default;
@@ -31,7 +32,7 @@ struct Dials {
 struct Dial {
   DialId id;
   std::string_view word;   // "large_step"
-  std::string_view value;  // what stands for its value in the help: "P"
+  std::string_view value;  // what stands for its value in the help: "P"; empty: it is `on`
   std::string help;
   void (*set)(Dials& dials, std::string_view text);  // throws UsageError
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <streambuf>
 #include <utility>
 
 #include "core/film_statistics.h"
@@ -20,6 +21,11 @@ constexpr double rehearsed_after = 0.25;        // of the time of the samples
 // The error of the seed pass may be so much of the target, if that is the budget: then b takes
 // no more than a quarter of the variance.
 constexpr double share_of_error = 0.5;
+
+void write_state(const LiveRun& run, std::ostream& bytes) {
+  cereal::BinaryOutputArchive archive(bytes);
+  run.save(archive);
+}
 
 class Drive {
  public:
@@ -235,7 +241,7 @@ class Drive {
     headway_.wall_seconds = execution_.seconds();
     headway_.processor_seconds = execution_.processor_seconds();
     headway_.samples = run_.samples();
-    keeper_.keep({headway_, state_of(run_)});
+    keeper_.keep(headway_, [this](std::ostream& bytes) { write_state(run_, bytes); });
   }
 
   LiveRun& run_;
@@ -245,6 +251,15 @@ class Drive {
   const Keeper& keeper_;
   double next_keeping_, time_of_keeping_ = 0;  // of execution_.seconds()
   double fraction_of_error_ = 0;               // of the way to the target, when last seen
+};
+
+// A string that is read without being copied.
+class Bytes : public std::streambuf {
+ public:
+  explicit Bytes(const std::string& text) {
+    char* begin = const_cast<char*>(text.data());  // a buffer to read from is not written to
+    setg(begin, begin, begin + text.size());
+  }
 };
 
 }  // namespace
@@ -264,16 +279,16 @@ Rendering drive(LiveRun& run, Run& execution, const Headway& begin, const Keeper
 
 std::string state_of(const LiveRun& run) {
   std::ostringstream bytes;
-  cereal::BinaryOutputArchive archive(bytes);
-  run.save(archive);
+  write_state(run, bytes);
   return std::move(bytes).str();
 }
 
 void restore(LiveRun& run, const std::string& state) {
-  std::istringstream bytes(state);
+  Bytes buffer(state);
+  std::istream bytes(&buffer);
   cereal::BinaryInputArchive archive(bytes);
   run.load(archive);
-  if (bytes.peek() != std::istringstream::traits_type::eof())
+  if (bytes.peek() != std::istream::traits_type::eof())
     throw std::runtime_error("the state of a run has bytes that are not its own");
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <string>
 
 #include "lab/live_run.h"
@@ -27,10 +28,14 @@ struct KeptRun {
   std::string state;  // empty: from the beginning
 };
 
+// Writes the state of a run, as often as it is called: the state of a large film is never held as a
+// whole.
+using StateWriter = std::function<void(std::ostream&)>;
+
 // Where runs are kept on their way, and when: after so many seconds, and then every so many.
 struct Keeper {
-  std::function<void(const KeptRun&)> keep{};  // may be empty
-  double first = 0, every = 0;                 // 0: only at the end
+  std::function<void(const Headway&, const StateWriter&)> keep{};  // may be empty
+  double first = 0, every = 0;                                     // 0: only at the end
 };
 
 // A small budget makes fewer chains, so that it can be met exactly.

@@ -6,6 +6,8 @@
 #include <array>
 #include <stdexcept>
 
+#include "lab/failure.h"
+#include "lab/memory_need.h"
 #include "lab/replay.h"
 #include "lab/trace.h"
 #include "lab/worlds.h"
@@ -19,13 +21,17 @@ constexpr Engine engine_in() {
   constexpr bool is_single = std::same_as<typename W::Real, float>;
   return {.world = {W::dimension, is_single ? Precision::of_float : Precision::of_double},
           .carry_on = &carry_on_in<W>,
+          .merge = &merge_in<W>,
           .trace = &trace_in<W>,
           .replay = &replay_in<W>,
           .check = &check_in<W>};
 }
 
-// The worlds that are compiled in.
-constexpr std::array table{engine_in<Flatland>(), engine_in<FlatlandSingle>()};
+template <World... Ws>
+constexpr std::array<Engine, sizeof...(Ws)> engines_in(WorldList<Ws...>) {
+  return {engine_in<Ws>()...};
+}
+constexpr std::array table = engines_in(Worlds{});
 
 constexpr bool has(int dimension, Precision precision) {
   return std::ranges::count(table, WorldKind{dimension, precision}, &Engine::world) == 1;
@@ -35,6 +41,14 @@ static_assert(std::ranges::all_of(precisions,
 
 const Engine& engine_of(const Job& job) {
   return *std::ranges::find(table, job.world(), &Engine::world);  // Job has seen to it
+}
+
+// The process would be killed, or the machine come to a standstill.
+void require_memory(const KeptRun& from, const Job& job, const Session& session) {
+  MemoryNeed need = memory_need(job, Run(session).threads());
+  need.program += static_cast<double>(from.state.size());
+  if (const std::string why = why_too_large(job, need, available_memory()); !why.empty())
+    throw CommandFailure(ExitCode::failure, why);
 }
 
 }  // namespace
@@ -57,11 +71,18 @@ Rendering render(const Job& job, const Session& session) { return carry_on({}, j
 
 Rendering carry_on(const KeptRun& from, const Job& job, const Session& session,
                    const Keeper& keeper) {
+  require_memory(from, job, session);
   Session begun = session;
   begun.begun = session.clock->now();
   begun.begun->wall -= from.headway.wall_seconds;
   begun.begun->processor -= from.headway.processor_seconds;
   Rendering rendering = engine_of(job).carry_on(from, job, begun, keeper);
+  rendering.precision = name_of(job.dials().precision);
+  return rendering;
+}
+
+Rendering merge(const Job& job, std::span<const StoredRun> runs, const Session& session) {
+  Rendering rendering = engine_of(job).merge(job, runs, session);
   rendering.precision = name_of(job.dials().precision);
   return rendering;
 }

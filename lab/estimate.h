@@ -4,28 +4,43 @@
 
 #include <memory>
 
+#include "core/film_layout.h"
 #include "core/path_sampler.h"
-#include "lab/live_run.h"
-#include "lab/method.h"
-#include "work/parallel.h"
+#include "lab/stage.h"
 
 namespace wander {
 
 struct Estimator {
-  const char* name;
+  const char* name;  // of the method
   TechniqueSet techniques;
   Roulette roulette;
   Heuristic heuristic;
 };
 
-// pt, lt, bdpt, and the forms of Kajiya 1986 and Arvo 1990 without connections, pt-naive, lt-naive.
+inline constexpr Estimator path_tracing{
+    "pt", {.most_light = 1, .fewest_sensor = 1}, Roulette::by_albedo, Heuristic::power};
+inline constexpr Estimator light_tracing{
+    "lt", {.fewest_light = 1, .most_sensor = 1}, Roulette::by_albedo, Heuristic::power};
+inline constexpr Estimator bidirectional_path_tracing{"bdpt", all_techniques, Roulette::by_albedo,
+                                                      Heuristic::power};
+// Without connections [Kajiya 1986, Arvo 1990].
+inline constexpr Estimator naive_path_tracing{
+    "pt-naive", {.most_light = 0}, Roulette::off, Heuristic::balance};
+inline constexpr Estimator naive_light_tracing{
+    "lt-naive", {.most_sensor = 0}, Roulette::off, Heuristic::balance};
+
+// Those of the table of methods.
 std::span<const Estimator> estimators();
-// Of a method by independent samples.
-const Estimator& estimator_of(const Method& method);
+
+// A method whose estimator is one of these.
+struct IndependentSamples {
+  template <World W>
+  static std::unique_ptr<LiveRun> make(const Stage<W>& stage);
+};
 
 template <World W>
 std::unique_ptr<LiveRun> make_estimate(const Scene<W>& scene, const Estimator& estimator,
-                                       const Run& execution);
+                                       const FilmLayout& layout, const Run& execution);
 
 // Such a run, to the end of the session's budget.
 template <World W>

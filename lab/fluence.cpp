@@ -29,10 +29,6 @@ struct Bounds {
   void operator()(const description::Segment& s) {
     for (const auto& p : {s.from, s.to}) include({p[0], p[1]}, 0);
   }
-  void operator()(const description::Polyline& s) {
-    for (const auto& p : s.points) include({p[0], p[1]}, 0);
-  }
-  void operator()(const description::Circle& s) { include({s.center[0], s.center[1]}, s.radius); }
   void operator()(const description::Arc& s) { include({s.center[0], s.center[1]}, s.radius); }
 };
 
@@ -40,7 +36,8 @@ struct Bounds {
 // ends every ray, and changes nothing else.
 description::Scene enclosed(description::Scene scene, const PlaneGrid& grid) {
   Bounds bounds{grid.low(), grid.high()};
-  for (const auto& shape : scene.shapes) visit_known(bounds, shape.kind);
+  for (const auto& shape : scene.shapes)
+    for (const auto& stroke : outline_of(shape.kind)) std::visit(bounds, stroke);
   const Point margin = 0.25 * (bounds.high - bounds.low);
   const Point low = bounds.low - margin, high = bounds.high + margin;
   description::Shape frame;

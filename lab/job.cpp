@@ -12,7 +12,7 @@ std::vector<std::string> why_unfit(const description::Scene& scene, const Method
   std::vector<std::string> reasons;
   if (const std::string why = why_no_engine({scene.dimension, dials.precision}); !why.empty())
     reasons.push_back(why);
-  if (const std::string why = why_beyond(dials.precision, scene); !why.empty())
+  else if (const std::string why = why_beyond(dials.precision, scene); !why.empty())
     reasons.push_back(fmt::format("--precision {} cannot hold this scene: {}; use double",
                                   name_of(dials.precision), why));
   if (const std::string_view why = method.why_impossible(scene); !why.empty())

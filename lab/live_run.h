@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 
+#include "lab/findings.h"
 #include "mlt/run/chain_settings.h"
 #include "records/rendering.h"
 
@@ -55,6 +57,9 @@ class LiveRun {
   virtual FilmEstimate preview() const = 0;
   // All that has come out, but for facts of the execution.
   virtual Rendering findings() const = 0;
+  // The same, to be made of several runs: an empty value, and what this run adds to it.
+  virtual std::unique_ptr<Findings> no_findings() const = 0;
+  virtual void add_to(Findings& all) const = 0;  // of runs of the same job
 
   // The whole state, into a run that was made of the same scene, method, dials and seed.
   virtual void save(cereal::BinaryOutputArchive& archive) const = 0;

@@ -6,6 +6,8 @@
 #include <array>
 
 #include "core/requirements.h"
+#include "lab/chain_methods.h"
+#include "lab/estimate.h"
 #include "lab/failure.h"
 #include "lab/nearest.h"
 
@@ -14,8 +16,8 @@ namespace wander {
 namespace {
 
 using enum DialId;
-constexpr DialSet of_all{max_vertices, precision};
-constexpr DialSet of_chains = of_all | DialSet{seed_share, normalization, large_step, kernel};
+constexpr DialSet of_all{max_vertices, precision, by_length};
+constexpr DialSet of_chains = of_all | DialSet{seed_share, normalization, large_step, kernel, maps};
 constexpr DialSet of_mlt = of_chains | DialSet{mutations, chains};
 constexpr DialSet of_pssmlt = of_chains | DialSet{estimator, chains};
 // There is one chain for each path length in each group.
@@ -34,81 +36,80 @@ std::string_view mirrors_seen_by_a_camera(const description::Scene& scene) {
 }
 
 constexpr std::array table{
-    Method{.id = MethodId::pt,
-           .name = "pt",
+    Method{.name = path_tracing.name,
            .summary = "path tracing from the sensor, with next-event estimation",
            .state = ChainState::none,
            .dials = of_all,
+           .run = made_by<IndependentSamples>,
+           .estimator = &path_tracing,
            .check = CheckRole::compared,
            .makes_references = true,
            .why_impossible = never,
            .why_blind = never},
-    Method{.id = MethodId::lt,
-           .name = "lt",
+    Method{.name = light_tracing.name,
            .summary = "light tracing from the lights, with next-event estimation",
            .state = ChainState::none,
            .dials = of_all,
+           .run = made_by<IndependentSamples>,
+           .estimator = &light_tracing,
            .check = CheckRole::compared,
            .makes_references = true,
            .why_impossible = never,
            .why_blind = mirrors_seen_by_a_camera},
-    Method{.id = MethodId::bdpt,
-           .name = "bdpt",
+    Method{.name = bidirectional_path_tracing.name,
            .summary = "bidirectional path tracing",
            .state = ChainState::none,
            .dials = of_all,
+           .run = made_by<IndependentSamples>,
+           .estimator = &bidirectional_path_tracing,
            .check = CheckRole::reference,
            .makes_references = true,
            .why_impossible = never,
            .why_blind = never},
-    Method{.id = MethodId::mlt,
-           .name = "mlt",
+    Method{.name = "mlt",
            .summary = "Metropolis light transport in path space, all mutations",
            .state = ChainState::path,
            .dials = of_mlt,
+           .run = made_by<MltMethod>,
            .check = CheckRole::compared,
            .makes_references = true,
            .why_impossible = never,
            .why_blind = never},
-    Method{.id = MethodId::pssmlt,
-           .name = "pssmlt",
+    Method{.name = "pssmlt",
            .summary = "Metropolis in primary sample space, whole bidirectional samples (Kelemen)",
            .state = ChainState::numbers_of_sample,
            .dials = of_pssmlt,
+           .run = made_by<PssmltMethod>,
            .makes_references = true,
            .usual_estimator = StepEstimator::kelemen,  // as published
            .why_impossible = never,
            .why_blind = never},
-    Method{.id = MethodId::mmlt,
-           .name = "mmlt",
+    Method{.name = "mmlt",
            .summary = "multiplexed Metropolis: primary sample space, a chain for each path length",
            .state = ChainState::numbers_of_path,
            .dials = of_mmlt,
+           .run = made_by<MmltMethod>,
            .makes_references = true,
            .why_impossible = never,
            .why_blind = never},
-    Method{.id = MethodId::pt_naive,
-           .name = "pt-naive",
+    Method{.name = naive_path_tracing.name,
            .summary = "path tracing that must hit a light",
            .state = ChainState::none,
            .dials = of_all,
+           .run = made_by<IndependentSamples>,
+           .estimator = &naive_path_tracing,
            .why_impossible = never,
            .why_blind = never},
-    Method{.id = MethodId::lt_naive,
-           .name = "lt-naive",
+    Method{.name = naive_light_tracing.name,
            .summary = "light tracing that must hit the sensor",
            .state = ChainState::none,
            .dials = of_all,
+           .run = made_by<IndependentSamples>,
+           .estimator = &naive_light_tracing,
            .why_impossible = through_a_camera,
            .why_blind = never},
 };
 
-constexpr bool is_in_order() {
-  for (std::size_t i = 0; i < table.size(); ++i)
-    if (table[i].id != static_cast<MethodId>(i)) return false;
-  return true;
-}
-static_assert(table.size() == static_cast<std::size_t>(MethodId::lt_naive) + 1 && is_in_order());
 static_assert(std::ranges::all_of(table, [](const Method& m) {
   return !m.name.empty() && !m.summary.empty() && m.why_impossible && m.why_blind;
 }));
@@ -118,8 +119,6 @@ static_assert(std::ranges::any_of(table, [](const Method& m) { return m.is_trace
 }  // namespace
 
 std::span<const Method> methods() { return table; }
-
-const Method& method_of(MethodId id) { return table[static_cast<std::size_t>(id)]; }
 
 const Method& find_method(std::string_view name) {
   std::vector<std::string_view> known;

@@ -1,21 +1,44 @@
 // The methods: the one table of what each is, from which the command line, its help and messages,
 // the checks, the comparison and the record of a run are fed.
 //
-// A new method is a line of the table (method.cpp) and, in world_methods.h, what it computes.
+// A new method is an entry of the table (method.cpp) and a file that makes its run.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "core/description.h"
 #include "lab/dial_set.h"
+#include "lab/world_list.h"
 
 namespace wander {
 
-// In the order of the table.
-enum class MethodId { pt, lt, bdpt, mlt, pssmlt, mmlt, pt_naive, lt_naive };
+struct Estimator;  // lab/estimate.h
+class LiveRun;     // lab/live_run.h
+template <World W>
+struct Stage;  // lab/stage.h
+
+template <World W>
+using MakeRun = std::unique_ptr<LiveRun> (*)(const Stage<W>&);
+
+// How a method makes its run in each world, from a type with a static make<W>(stage).
+template <class List>
+struct RunMakers;
+template <World... Ws>
+struct RunMakers<WorldList<Ws...>> {
+  std::tuple<MakeRun<Ws>...> makers;
+
+  template <class Kind>
+  static constexpr RunMakers of() {
+    return {{&Kind::template make<Ws>...}};
+  }
+};
+template <class Kind>
+inline constexpr RunMakers<Worlds> made_by = RunMakers<Worlds>::of<Kind>();
 
 // What a chain of the method walks through.
 enum class ChainState {
@@ -35,10 +58,11 @@ enum class CheckRole { none, reference, compared };
 using WhyNot = std::string_view (*)(const description::Scene&);
 
 struct Method {
-  MethodId id;
   std::string_view name, summary;
   ChainState state;
   DialSet dials;
+  RunMakers<Worlds> run;
+  const Estimator* estimator = nullptr;  // of a method by independent samples of paths
   CheckRole check = CheckRole::none;
   bool makes_references = false;  // for `compare`, where it is worth most
   StepEstimator usual_estimator = StepEstimator::expected;
@@ -56,7 +80,6 @@ struct Method {
 };
 
 std::span<const Method> methods();
-const Method& method_of(MethodId id);
 // Throws UsageError, with the nearest name, where there is no such method.
 const Method& find_method(std::string_view name);
 

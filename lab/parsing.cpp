@@ -185,7 +185,6 @@ MutationWeights parse_mutations(std::string_view text) {
 }
 
 StepEstimator parse_estimator(std::string_view text) {
-  constexpr std::array<std::string_view, 2> estimator_words{"kelemen", "expected"};
   constexpr std::array estimators{StepEstimator::kelemen, StepEstimator::expected};
   const auto found = std::find(estimator_words.begin(), estimator_words.end(), text);
   if (found == estimator_words.end())
@@ -194,10 +193,10 @@ StepEstimator parse_estimator(std::string_view text) {
 }
 
 NormalizationMethod parse_normalization(std::string_view text) {
-  constexpr std::array<std::string_view, 3> words{"seed", "least-squares", "bridge"};
-  const auto found = std::find(words.begin(), words.end(), text);
-  if (found == words.end()) throw UsageError(unknown_word("normalization", text, words));
-  return static_cast<NormalizationMethod>(found - words.begin());
+  const auto found = std::find(normalization_words.begin(), normalization_words.end(), text);
+  if (found == normalization_words.end())
+    throw UsageError(unknown_word("normalization", text, normalization_words));
+  return static_cast<NormalizationMethod>(found - normalization_words.begin());
 }
 
 double parse_positive(std::string_view what, std::string_view text, double most) {

@@ -2,6 +2,7 @@
 // allowed.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -26,10 +27,11 @@ MutationWeights parse_mutations(std::string_view text);
 // What --mutations takes, in words.
 std::string mutations_help();
 
-// `kelemen` or `expected`.
+inline constexpr std::array<std::string_view, 2> estimator_words{"kelemen", "expected"};
 StepEstimator parse_estimator(std::string_view text);
 
-// `seed`, `least-squares` or `bridge`.
+inline constexpr std::array<std::string_view, 3> normalization_words{"seed", "least-squares",
+                                                                     "bridge"};
 NormalizationMethod parse_normalization(std::string_view text);
 
 // A number above zero, and no larger than `most`.

@@ -21,37 +21,17 @@ struct Reach {
   double farthest = 0, shortest = std::numeric_limits<double>::infinity();
 
   void point(const description::Coordinates& p) {
-    farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+    farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1])});
   }
-  void edge(const description::Coordinates& a, const description::Coordinates& b) {
-    point(a);
-    point(b);
-    shortest = std::min(shortest, std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]));
+  void operator()(const description::Segment& s) {
+    point(s.from);
+    point(s.to);
+    shortest = std::min(shortest, s.length());
   }
-  void round(const description::Coordinates& center, double radius) {
-    point(center);
-    farthest = std::max(farthest, radius);
-    shortest = std::min(shortest, radius);
-  }
-  void operator()(const description::Segment& s) { edge(s.from, s.to); }
-  void operator()(const description::Polyline& s) {
-    for (std::size_t i = 0; i + 1 < s.points.size(); ++i) edge(s.points[i], s.points[i + 1]);
-    if (s.closed) edge(s.points.back(), s.points.front());
-  }
-  void operator()(const description::Circle& s) { round(s.center, s.radius); }
-  void operator()(const description::Arc& s) { round(s.center, s.radius); }
-  void operator()(const description::Triangle& s) { triangle(s.points); }
-  void operator()(const description::Parallelogram& s) {
-    for (const auto& e : s.edges)
-      edge(s.origin, {s.origin[0] + e[0], s.origin[1] + e[1], s.origin[2] + e[2]});
-  }
-  void operator()(const description::Sphere& s) { round(s.center, s.radius); }
-  void operator()(const description::Mesh& s) {
-    const auto point = [&](std::int32_t i) { return s.triangles->points[std::size_t(i)]; };
-    for (const auto& [a, b, c] : s.triangles->corners) triangle({point(a), point(b), point(c)});
-  }
-  void triangle(const std::array<description::Coordinates, 3>& points) {
-    for (std::size_t i = 0; i < 3; ++i) edge(points[i], points[(i + 1) % 3]);
+  void operator()(const description::Arc& s) {
+    point(s.center);
+    farthest = std::max(farthest, s.radius);
+    shortest = std::min(shortest, s.radius);
   }
 };
 
@@ -83,7 +63,8 @@ std::string why_beyond(Precision precision, const description::Scene& scene) {
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const auto& shape = scene.shapes[i];
     Reach reach;
-    std::visit(reach, shape.kind);
+    for (const auto& stroke : outline_of(shape.kind))
+      std::visit([&](const auto& s) { reach(s); }, stroke);
     for (const double length : {reach.farthest, reach.shortest})
       if (!lengths.holds(length))
         return fmt::format("/shapes/{}: {}", i, beyond("length", length, lengths));

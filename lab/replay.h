@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "mlt/run/seeded_chains.h"
+#include "lab/shown_chains.h"
+#include "mlt/run/path_group.h"
 
 namespace wander {
 
@@ -65,7 +66,7 @@ ReplayedPath replayed(const Space& space, const Path<typename Space::Universe>& 
     for (int k = 0; k < W::dimension; ++k)
       path.vertices.back().position.push_back(static_cast<double>(v.place.position[k]));
   }
-  for (const auto u : space.film(x)) path.film.push_back(static_cast<double>(u));
+  for (const auto u : space.film_position(x)) path.film.push_back(static_cast<double>(u));
   return path;
 }
 
@@ -75,12 +76,10 @@ Replay replay(const Space& space, const Kernel& kernel, const Session& session, 
               std::uint64_t step_index, ChainSettings settings) {
   using W = typename Space::Universe;
   Run run(session);
-  const SeededChains<Space, Kernel> seeded(space, kernel, run, settings);
-  Chain<Space, Kernel> chain = seeded.chain(chain_index);
-  WatchedRng random(seeded.random(chain_index));
+  const ShownChains<Space, PathChains<Space, Kernel>> shown(space, kernel, run, settings);
+  auto chain = shown.chain(chain_index);
   for (std::uint64_t i = 0; i < step_index; ++i) {
-    random.start(i);
-    chain.step(random, [](const Step<W>&) {});
+    chain.step([](const Step<W>&) {});
     if (i % 1024 != 0) continue;
     if (run.is_interrupted()) throw NothingComputed();
     run.report(
@@ -89,7 +88,7 @@ Replay replay(const Space& space, const Kernel& kernel, const Session& session, 
   Replay replay;
   replay.chain = chain_index;
   replay.step = step_index;
-  random.start(step_index);
+  WatchedRng random(chain.random);
   chain.step(random, [&](const Step<W>& step) {
     const auto m = static_cast<std::size_t>(step.mutation);
     replay.mutation = Kernel::names[m];

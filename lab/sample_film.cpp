@@ -7,28 +7,51 @@
 #include <optional>
 #include <vector>
 
+#include "core/large_sample_film.h"
 #include "lab/drive.h"
 
 namespace wander {
 
 namespace {
 
-// Samples per unit of work: enough to hide the cost of merging a film, whatever the threads.
-std::uint64_t samples_per_unit(int bins) {
-  return std::max<std::uint64_t>(4096, static_cast<std::uint64_t>(bins) / 4);
+// Samples per unit of work: enough to hide the cost of merging a film, whatever the threads; of a
+// list, so few that it stays small.
+template <class Film>
+constexpr std::uint64_t samples_per_unit(std::uint64_t bins) {
+  if (std::same_as<Film, LargeSampleFilm>) return 4096;
+  return std::max<std::uint64_t>(4096, bins / 4);
 }
-
-// What one unit works in.
-struct Slot {
-  FilmSampler sample;
-  SampleFilm film;
-};
 
 int bins_of(std::span<const int> shape) {
   int bins = 1;
   for (const int extent : shape) bins *= extent;
   return bins;
 }
+
+// Sums over samples, and their number.
+template <class Film>
+class SampleFindings final : public Findings {
+ public:
+  SampleFindings(const char* method, std::vector<int> shape)
+      : method_(method), shape_(std::move(shape)) {}
+
+  void add(const Film& film) {
+    if (film_)
+      film_->merge(film);
+    else
+      film_ = film;
+  }
+  // To a film.
+  void add_part(const typename Film::Part& part) { film_->merge(part); }
+  Rendering rendering() const override {
+    return {.method = method_, .samples = film_->samples(), .film = film_->estimate(shape_)};
+  }
+
+ private:
+  const char* method_;
+  std::vector<int> shape_;
+  std::optional<Film> film_;
+};
 
 // When a budget of time is spent.
 double end_of(const Budget& budget) {
@@ -40,18 +63,19 @@ double end_of(const Budget& budget) {
 //
 // What is found shall not depend on where the run was stopped: the film is that of whole units,
 // merged one by one, and of one that is not yet whole, which is made anew when the run goes on.
+template <class Film>
 class SampleRun final : public LiveRun {
  public:
-  SampleRun(const char* method, std::span<const int> shape, int max_vertices, const Run& run,
-            const std::function<FilmSampler()>& make)
+  SampleRun(const char* method, std::span<const int> shape, int max_vertices,
+            const FilmLayout& layout, const Run& run, const std::function<FilmSampler()>& make)
       : method_(method),
         run_(run),
         shape_(shape.begin(), shape.end()),
         max_vertices_(max_vertices),
-        per_unit_(samples_per_unit(bins_of(shape))),
-        film_(bins_of(shape), max_vertices) {
-    for (int i = 0; i < slots_of(run); ++i)
-      slots_.push_back({make(), {bins_of(shape), max_vertices}});
+        layout_(layout),
+        per_unit_(samples_per_unit<Film>(static_cast<std::uint64_t>(bins_of(shape)))),
+        film_(bins_of(shape), max_vertices, layout) {
+    for (int i = 0; i < slots_of(run); ++i) slots_.push_back({make(), {}, empty_part()});
   }
 
   void advance(std::uint64_t samples) override {
@@ -83,12 +107,20 @@ class SampleRun final : public LiveRun {
 
   FilmEstimate preview() const override {
     if (!open_) return film_.estimate(shape_);
-    SampleFilm film = film_;
+    Film film = film_;
     film.merge(*open_);
     return film.estimate(shape_);
   }
   Rendering findings() const override {
     return {.method = method_, .samples = samples(), .film = preview()};
+  }
+  std::unique_ptr<Findings> no_findings() const override {
+    return std::make_unique<SampleFindings<Film>>(method_, shape_);
+  }
+  void add_to(Findings& all) const override {
+    auto& found = dynamic_cast<SampleFindings<Film>&>(all);
+    found.add(film_);
+    if (open_) found.add_part(*open_);
   }
 
   void save(cereal::BinaryOutputArchive& archive) const override {
@@ -99,11 +131,20 @@ class SampleRun final : public LiveRun {
     bool has_open = false;
     archive(film_, has_open);
     open_.reset();
-    if (has_open) archive(open_.emplace(bins_of(shape_), max_vertices_));
+    if (has_open) archive(open_.emplace(empty_part()));
   }
 
  private:
+  using Part = typename Film::Part;
+  // What one unit works in.
+  struct Slot {
+    FilmSampler sample;
+    Contributions found;
+    Part film;
+  };
   static constexpr std::uint64_t units_per_stride = 64, fewest_units = 16;  // of each thread
+
+  Part empty_part() const { return {bins_of(shape_), max_vertices_, layout_}; }
 
   void extend_to(std::uint64_t end, std::uint64_t per_unit) {
     const std::uint64_t first = film_.samples();
@@ -119,12 +160,13 @@ class SampleRun final : public LiveRun {
       const std::uint64_t begin = first + unit * per_unit;
       for (std::uint64_t i = begin; i < std::min(begin + per_unit, end); ++i) {
         rng.start(i);
-        slot.sample(rng, slot.film);
-        slot.film.end_sample();
+        slot.found.clear();
+        slot.sample(rng, slot.found);
+        slot.film.add(slot.found);
       }
     };
     const auto merge = [&](std::uint64_t, int index) {
-      const SampleFilm& made = slots_[static_cast<std::size_t>(index)].film;
+      const Part& made = slots_[static_cast<std::size_t>(index)].film;
       if (made.samples() < per_unit)
         open_ = made;
       else
@@ -138,25 +180,30 @@ class SampleRun final : public LiveRun {
   const Run& run_;
   std::vector<int> shape_;
   int max_vertices_;
+  FilmLayout layout_;
   std::uint64_t per_unit_;
-  SampleFilm film_;                 // of whole units
-  std::optional<SampleFilm> open_;  // of the one that is not yet whole
+  Film film_;                 // of whole units
+  std::optional<Part> open_;  // of the one that is not yet whole
   std::vector<Slot> slots_;
 };
 
 }  // namespace
 
 std::unique_ptr<LiveRun> make_sample_run(const char* method, std::span<const int> shape,
-                                         int max_vertices, const Run& execution,
+                                         int max_vertices, const FilmLayout& layout,
+                                         const Run& execution,
                                          const std::function<FilmSampler()>& make) {
-  return std::make_unique<SampleRun>(method, shape, max_vertices, execution, make);
+  if (layout.is_large(shape))
+    return std::make_unique<SampleRun<LargeSampleFilm>>(method, shape, max_vertices, layout,
+                                                        execution, make);
+  return std::make_unique<SampleRun<SampleFilm>>(method, shape, max_vertices, layout, execution,
+                                                 make);
 }
 
 Rendering sample_film(const char* method, std::span<const int> shape, int max_vertices,
                       const Session& session, const std::function<FilmSampler()>& make) {
   Run execution(session);
-  SampleRun run(method, shape, max_vertices, execution, make);
-  return drive(run, execution);
+  return drive(*make_sample_run(method, shape, max_vertices, {}, execution, make), execution);
 }
 
 }  // namespace wander

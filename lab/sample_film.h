@@ -13,12 +13,13 @@
 
 namespace wander {
 
-// Adds one sample, made of the numbers of `rng`, to the film.
-using FilmSampler = std::function<void(Rng& rng, SampleFilm& film)>;
+// Makes one sample of the numbers of `rng`; `found` is empty before.
+using FilmSampler = std::function<void(Rng& rng, Contributions& found)>;
 
 // Every unit that works at the same time has a sampler of its own, made by `make`.
 std::unique_ptr<LiveRun> make_sample_run(const char* method, std::span<const int> shape,
-                                         int max_vertices, const Run& execution,
+                                         int max_vertices, const FilmLayout& layout,
+                                         const Run& execution,
                                          const std::function<FilmSampler()>& make);
 
 // Such a run, to the end of the session's budget.

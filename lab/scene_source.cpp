@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <iostream>
 #include <span>
+#include <system_error>
+#include <utility>
 
 #include "lab/failure.h"
 #include "lab/nearest.h"
@@ -14,6 +17,31 @@ namespace wander {
 namespace {
 
 constexpr std::string_view standard_input = "-";
+
+// Who names a scene of the gallery where there is no file may mean it.
+std::string gallery_hint(const std::string& source) {
+  const std::filesystem::path path(source);
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(path, ignored)) return {};
+  const std::string name = (path.has_filename() ? path : path.parent_path()).stem();
+  for (const GalleryScene& scene : std::span(gallery_scenes, gallery_scene_count))
+    if (scene.name == name)
+      return fmt::format("; or did you mean {}{}, which comes with the program?", gallery_prefix,
+                         name);
+  return {};
+}
+
+SceneDocument open_file(const std::string& source) {
+  try {
+    return read_scene_file(source);
+  } catch (const SceneFileError& problem) {
+    const std::string hint = gallery_hint(source);
+    if (hint.empty()) throw;
+    std::vector<Fault> faults = problem.faults;
+    faults.back().what += hint;
+    throw SceneFileError(problem.file, std::move(faults));
+  }
+}
 
 }  // namespace
 
@@ -27,7 +55,7 @@ std::string shown_name(const std::string& source) {
 
 SceneDocument open_scene(const std::string& source) {
   if (source == standard_input) return read_scene(std::cin, shown_name(source));
-  if (!source.starts_with(gallery_prefix)) return read_scene_file(source);
+  if (!source.starts_with(gallery_prefix)) return open_file(source);
   const GalleryScene& scene = gallery_scene(std::string_view(source).substr(gallery_prefix.size()));
   return parse_scene(scene.text, source);
 }

@@ -2,14 +2,15 @@
 //
 //   scene → seed pass → chains × mixture of mutations → steps → logs → columns
 //
-// The chains are those of render() (seeded_chains.h, multiplexed_chains.h); nothing is deposited.
-// Each chain has its own log, so the columns do not depend on the threads.
+// The chains are those of render() (shown_chains.h).  Each has its own log, so the columns do not
+// depend on the threads.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
-#include "mlt/run/seeded_chains.h"
+#include "lab/shown_chains.h"
+#include "mlt/run/path_group.h"
 #include "mlt/watch/attempt.h"
 #include "records/trajectory_of_logs.h"
 
@@ -29,7 +30,7 @@ struct Trace {
   double seed_seconds = 0;  // of which seed pass
 };
 
-// `Chains` are made of a space and the kernel of chains, and taken out one by one.
+// `Chains` are the SeededChains of a method whose states are paths.
 template <class Space, class Chains>
 class Tracer {
  public:
@@ -39,11 +40,10 @@ class Tracer {
       : space_(space),
         request_(request),
         run_(session),
-        seeded_(space, kernel, run_, settings),
+        shown_(space, kernel, run_, settings),
         seed_seconds_(run_.seconds()),
         logs_(static_cast<std::size_t>(request.chains)) {
-    for (int k = 0; k < request.chains; ++k)
-      members_.push_back({seeded_.chain(k), seeded_.random(k)});
+    for (int k = 0; k < request.chains; ++k) chains_.push_back(shown_.chain(k));
   }
 
   // Throws NothingComputed if it is interrupted before the first draw.
@@ -59,10 +59,10 @@ class Tracer {
     }
     Trace trace;
     trace.trajectory =
-        make_trajectory(logs_, request_.window, Space::Universe::dimension, Chains::names);
+        make_trajectory(logs_, request_.window, Space::Universe::dimension, Chains::move_names());
     trace.complete = static_cast<std::uint64_t>(trace.trajectory.draws) == request_.window.draws();
     if (trace.trajectory.draws == 0) throw NothingComputed();
-    trace.normalization = normalization(seeded_.tally());
+    trace.normalization = normalization(shown_.tally());
     trace.threads = run_.threads();
     trace.seconds = run_.seconds();
     trace.seed_seconds = seed_seconds_;
@@ -71,10 +71,7 @@ class Tracer {
 
  private:
   using W = typename Space::Universe;
-  struct Member {
-    decltype(std::declval<const Chains&>().chain(0)) chain;
-    Rng random;
-  };
+  using Shown = ShownChains<Space, Chains>;
 
   // Of each chain; long paths make short rounds, for a round reserves memory for the longest.
   std::uint64_t steps_per_round() const {
@@ -82,7 +79,7 @@ class Tracer {
   }
 
   void advance(int k, std::uint64_t first, std::uint64_t end) {
-    auto& [chain, random] = members_[static_cast<std::size_t>(k)];
+    typename Shown::Chain& chain = chains_[static_cast<std::size_t>(k)];
     StepLog& log = logs_[static_cast<std::size_t>(k)];
     const TraceWindow& window = request_.window;
     if (end > window.first)
@@ -93,33 +90,33 @@ class Tracer {
     const auto record = [&](const Step<W>& step, std::uint64_t i) {
       log.add(space_, step);
       if (!std::holds_alternative<Failure>(step.outcome)) return;
-      Rng same = random;
+      Rng same = chain.random;
       same.start(i);
       attempt.clear();
-      if (chain.propose_again(watched, again, same)) attempt.was_complete();
+      if (chain.chain.propose_again(watched, again, same)) attempt.was_complete();
       log.add(attempt);
     };
-    for (std::uint64_t i = first; i < end; ++i) {
-      random.start(i);
-      if (window.holds(i))
-        chain.step(random, [&](const Step<W>& step) { record(step, i); });
-      else
-        chain.step(random, [&](const Step<W>& step) { log.skip(step); });
-    }
+    for (std::uint64_t i = first; i < end; ++i)
+      chain.step([&](const auto& step) {
+        if (window.holds(i))
+          record(path_step(step), i);
+        else
+          log.skip(path_step(step));
+      });
   }
 
   const Space& space_;
   TraceRequest request_;
   Run run_;
-  Chains seeded_;
+  Shown shown_;
   double seed_seconds_;
-  std::vector<Member> members_;
+  std::vector<typename Shown::Chain> chains_;
   std::vector<StepLog> logs_;
 };
 
 // Chains of a kernel in path space; others are named by the caller.
 template <class Space, class Kernel>
 Tracer(const Space&, const Kernel&, const Session&, TraceRequest, ChainSettings)
-    -> Tracer<Space, SeededChains<Space, Kernel>>;
+    -> Tracer<Space, PathChains<Space, Kernel>>;
 
 }  // namespace wander

@@ -1,5 +1,6 @@
-// The methods of `render` in one world, each as a run: light transport is written for any precision, and each
-// precision is made in a file of its own (world_methods_float.cpp, world_methods_double.cpp).
+// The methods by Markov chains, and the run of any method, in one world: light transport is written
+// for any precision, and each precision is made in a file of its own (world_methods_float.cpp,
+// world_methods_double.cpp).
 #pragma once
 
 #include <fmt/format.h>
@@ -8,8 +9,9 @@
 #include <memory>
 #include <stdexcept>
 
+#include "lab/chain_methods.h"
+#include "lab/chain_run.h"
 #include "lab/drive.h"
-#include "lab/estimate.h"
 #include "lab/failure.h"
 #include "lab/render.h"
 #include "lab/worlds.h"
@@ -19,6 +21,44 @@
 #include "scenes/format/build_scene.h"
 
 namespace wander {
+
+// ---- methods by Markov chains
+
+// `Chains` is the Group of the run.
+template <class Chains, World W, class Kernel>
+std::unique_ptr<LiveRun> chain_run(const Stage<W>& stage, const Kernel& kernel) {
+  const Dials& dials = stage.job.dials();
+  ChainSettings settings = dials.chains;
+  settings.film = dials.film;
+  return std::make_unique<ChainRun<Transport<W>, Chains>>(
+      stage.job.method().name.data(), stage.space, kernel, stage.execution,
+      fitted(settings, stage.execution.session().budget));
+}
+
+template <template <class S, class SmallStep, class Estimator> class Chains, World W>
+std::unique_ptr<LiveRun> in_primary_space(const Stage<W>& stage) {
+  const Dials& dials = stage.job.dials();
+  const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials.kernel), dials.large_step};
+  using Space = Transport<W>;
+  return stage.job.estimator() == StepEstimator::kelemen
+             ? chain_run<Chains<Space, Kelemen, KelemenWeights>>(stage, kernel)
+             : chain_run<Chains<Space, Kelemen, ExpectedValues>>(stage, kernel);
+}
+
+template <World W>
+std::unique_ptr<LiveRun> MltMethod::make(const Stage<W>& stage) {
+  return chain_run<PathGroup<Transport<W>, Family>>(stage, stage.job.family());
+}
+template <World W>
+std::unique_ptr<LiveRun> PssmltMethod::make(const Stage<W>& stage) {
+  return in_primary_space<PssmltGroup>(stage);
+}
+template <World W>
+std::unique_ptr<LiveRun> MmltMethod::make(const Stage<W>& stage) {
+  return in_primary_space<MmltGroup>(stage);
+}
+
+// ---- all methods
 
 template <World W>
 class WorldMethods {
@@ -31,21 +71,8 @@ class WorldMethods {
         space_(*scene_, Roulette::off) {}
 
   std::unique_ptr<LiveRun> make() const {
-    switch (const Method& method = job_.method(); method.id) {
-      case MethodId::pt:
-      case MethodId::lt:
-      case MethodId::bdpt:
-      case MethodId::pt_naive:
-      case MethodId::lt_naive:
-        return make_estimate(*scene_, estimator_of(method), execution_);
-      case MethodId::mlt:
-        return in_path_space();
-      case MethodId::pssmlt:
-        return in_primary_space<PssmltGroup>();
-      case MethodId::mmlt:
-        return in_primary_space<MmltGroup>();
-    }
-    throw std::logic_error("a method that is not of the table");
+    const auto made = std::get<MakeRun<W>>(job_.method().run.makers);
+    return made({job_, execution_, *scene_, space_});
   }
 
   // What there is to say against the film of a run that has come to its end.
@@ -56,32 +83,6 @@ class WorldMethods {
   }
 
  private:
-  using Space = Transport<W>;
-
-  const char* name() const { return job_.method().name.data(); }
-  ChainSettings settings() const {
-    return fitted(job_.dials().chains, execution_.session().budget);
-  }
-
-  std::unique_ptr<LiveRun> in_path_space() const {
-    using Group = PathGroup<Space, Family>;
-    return std::make_unique<ChainRun<Space, Group>>(name(), space_, job_.family(), execution_,
-                                                    settings());
-  }
-
-  template <template <class S, class SmallStep, class Estimator> class Chains>
-  std::unique_ptr<LiveRun> in_primary_space() const {
-    const Dials& dials = job_.dials();
-    const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials.kernel), dials.large_step};
-    const auto with = [&]<class Estimator>(Estimator) -> std::unique_ptr<LiveRun> {
-      using Group = Chains<Space, Kelemen, Estimator>;
-      return std::make_unique<ChainRun<Space, Group>>(name(), space_, kernel, execution_,
-                                                      settings());
-    };
-    return job_.estimator() == StepEstimator::kelemen ? with(KelemenWeights{})
-                                                      : with(ExpectedValues{});
-  }
-
   static void warn_if_dark(Rendering& rendering) {
     const auto& value = rendering.film.value;
     if (std::ranges::any_of(value, [](double v) { return v > 0; })) return;
@@ -103,20 +104,18 @@ class WorldMethods {
   const Job& job_;
   const Run& execution_;
   std::unique_ptr<const Scene<W>> scene_;
-  Space space_;
+  Transport<W> space_;
 };
 
-inline void load(LiveRun& run, const std::string& state) {
+inline void load(LiveRun& run, const std::string& state, std::string_view remedy) {
   try {
     if (!state.empty()) restore(run, state);
   } catch (const std::exception& problem) {
     throw CommandFailure(
         ExitCode::invalid_input,
-        std::string("the state in the checkpoint is not one that this build of the program reads "
-                    "(") +
-            problem.what() +
-            "); carry the run on with the build that began it, or compute it anew, with --force "
-            "instead of --continue");
+        fmt::format("the state in the checkpoint is not one that this build of the program reads "
+                    "({}); {}",
+                    problem.what(), remedy));
   }
 }
 
@@ -126,9 +125,33 @@ Rendering carry_on_in(const KeptRun& from, const Job& job, const Session& sessio
   Run execution(session);
   const WorldMethods<W> methods(job, execution);
   const std::unique_ptr<LiveRun> run = methods.make();
-  load(*run, from.state);
+  load(*run, from.state,
+       "carry the run on with the build that began it, or compute it anew, with --force instead of "
+       "--continue");
   Rendering rendering = drive(*run, execution, from.headway, keeper);
   methods.doubt(rendering);
+  return rendering;
+}
+
+// One after the other: of each run what it found is kept, not its state.
+template <World W>
+Rendering merge_in(const Job& job, std::span<const StoredRun> runs, const Session& session) {
+  Run execution(session);
+  std::unique_ptr<Findings> all;
+  for (const StoredRun& stored : runs) {
+    Session its_session = session;
+    its_session.seed = stored.seed;
+    const Run its_execution(its_session);
+    const WorldMethods<W> methods(job, its_execution);
+    const std::unique_ptr<LiveRun> run = methods.make();
+    load(*run, stored.state(), stored.remedy);
+    if (!all) all = run->no_findings();
+    run->add_to(*all);
+    all->keep();
+  }
+  Rendering rendering;
+  run_within(execution, [&] { rendering = all->rendering(); });
+  WorldMethods<W>(job, execution).doubt(rendering);
   return rendering;
 }
 

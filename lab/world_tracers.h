@@ -7,8 +7,7 @@
 #include "lab/replay.h"
 #include "lab/trace.h"
 #include "lab/worlds.h"
-#include "mlt/primary/primary_estimator.h"
-#include "mlt/run/multiplexed_chains.h"
+#include "mlt/run/mmlt_group.h"
 #include "mutations/kelemen.h"
 #include "scenes/format/build_scene.h"
 
@@ -27,7 +26,7 @@ class WorldTracers {
     if (job_.method().state == ChainState::numbers_of_path) {
       const Dials& dials = job_.dials();
       const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials.kernel), dials.large_step};
-      using Chains = MultiplexedChains<Space, Kelemen>;
+      using Chains = MmltChains<Space, Kelemen, ExpectedValues>;
       return Tracer<Space, Chains>(space_, kernel, session_, request, ChainSettings{}).run();
     }
     return Tracer(space_, job_.family(), session_, request, ChainSettings{}).run();

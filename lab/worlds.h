@@ -11,6 +11,8 @@ namespace wander {
 template <World W>
 Rendering carry_on_in(const KeptRun& from, const Job& job, const Session& session,
                       const Keeper& keeper);
+template <World W>
+Rendering merge_in(const Job& job, std::span<const StoredRun> runs, const Session& session);
 
 // Defined in world_tracers.h.
 template <World W>

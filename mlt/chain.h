@@ -30,6 +30,12 @@ struct Step {
   bool accepted() const { return reason == Reason::none; }
 };
 
+// The step of any chain whose states are paths, as one of paths: this is one.
+template <class W>
+const Step<W>& path_step(const Step<W>& step) {
+  return step;
+}
+
 template <class Space, class Kernel>
 class Chain {
  public:
@@ -42,7 +48,7 @@ class Chain {
         current_(space.max_vertices()),
         proposed_(space.max_vertices()) {
     current_ = seed;  // into memory that holds any path, so that no step allocates
-    measure(space, current_);
+    weigh(space, current_);
   }
   Chain(const Space&&, const Kernel&, const Path<W>&) = delete;
   Chain(const Space&, const Kernel&&, const Path<W>&) = delete;
@@ -80,7 +86,7 @@ class Chain {
     if (const Failure* failure = std::get_if<Failure>(&outcome)) reason = failure->reason;
     observe(Step<W>{current_, proposed_, mutation, outcome, a, reason});
     if (reason != Reason::none) return;
-    measure(*space_, proposed_);
+    weigh(*space_, proposed_);
     std::swap(current_, proposed_);
   }
 

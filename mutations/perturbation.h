@@ -129,7 +129,7 @@ class Perturbation {
   Reason turn(int i, Random& random) {
     using Length = typename W::Length;
     if (space_.is_camera(x_[i])) {
-      auto film = space_.film(x_);
+      auto film = space_.film_position(x_);
       if (!offset(film, random)) return Reason::outside_range;
       return space_.aim_film(y_, i, film) ? Reason::none : Reason::missed_scene;
     }

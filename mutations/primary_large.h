@@ -59,7 +59,7 @@ class PrimaryLarge {
                                         : random.choose(technique_count(space, n));
     const Reason flaw = sample_technique(space, y, n, s, random);
     if (flaw != Reason::none) return Failure{flaw};
-    measure(space, y);
+    weigh(space, y);
     return Proposal{density(space, y), density(space, x)};
   }
 

@@ -37,7 +37,7 @@ struct PrimarySmall {
     Reason flaw = join(space, y, s);
     if (flaw == Reason::none) flaw = evaluate(space, y, 0, n - 1);
     if (flaw != Reason::none) return Failure{flaw};
-    measure(space, y);
+    weigh(space, y);
     const auto label = static_cast<std::size_t>(s);
     return Proposal{Scaled(x.weights()[label]) * moves * technique_density(y, s),
                     Scaled(y.weights()[label]) * moves * technique_density(x, s)};

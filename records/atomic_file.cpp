@@ -46,10 +46,10 @@ bool is_special(const fs::path& path) {
   return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-void write_in_place(const fs::path& path, std::string_view bytes) {
+void write_in_place(const fs::path& path, const FileWriter& write) {
   Descriptor file(path, O_WRONLY);
   if (!file.is_open()) throw OutputError(path.string(), errno);
-  write_to_descriptor(file.number(), bytes, path.string());
+  write_to_descriptor(file.number(), write, path.string());
   if (!file.close()) throw OutputError(path.string(), errno);
 }
 
@@ -88,6 +88,23 @@ void write_to_descriptor(int descriptor, std::string_view bytes, const std::stri
   }
 }
 
+void write_to_descriptor(int descriptor, const FileWriter& write, const std::string& place) {
+  constexpr std::size_t buffer_size = 1 << 20;  // so that calls of the system do not count
+  std::string buffer;
+  const auto empty = [&] {
+    write_to_descriptor(descriptor, buffer, place);
+    buffer.clear();
+  };
+  write([&](std::string_view bytes) {
+    if (buffer.size() + bytes.size() > buffer_size) empty();
+    if (bytes.size() > buffer_size)
+      write_to_descriptor(descriptor, bytes, place);
+    else
+      buffer += bytes;
+  });
+  empty();
+}
+
 // A file that goes with its owner, unless it is renamed before.
 class StagedFile::Temporary {
  public:
@@ -102,8 +119,8 @@ class StagedFile::Temporary {
   Temporary(const Temporary&) = delete;
   Temporary& operator=(const Temporary&) = delete;
 
-  void write(std::string_view bytes) {
-    write_to_descriptor(file_.number(), bytes, place_);
+  void write(const FileWriter& write) {
+    write_to_descriptor(file_.number(), write, place_);
     if (!sync(file_.number())) throw OutputError(place_, errno);
   }
   void rename_to(const fs::path& path) {
@@ -118,15 +135,18 @@ class StagedFile::Temporary {
   std::string place_;
 };
 
-StagedFile::StagedFile(const fs::path& path, std::string_view bytes) : path_(behind_links(path)) {
+StagedFile::StagedFile(const fs::path& path, std::string_view bytes)
+    : StagedFile(path, [bytes](const ByteSink& file) { file(bytes); }) {}
+
+StagedFile::StagedFile(const fs::path& path, const FileWriter& write) : path_(behind_links(path)) {
   std::error_code unreachable;  // then opening the file says why
   if (fs::is_directory(path_, unreachable)) throw OutputError(path.string(), EISDIR);
   if (is_special(path_)) {
-    write_in_place(path_, bytes);
+    write_in_place(path_, write);
     return;
   }
   temporary_ = std::make_unique<Temporary>(temporary_beside(path_), path.string());
-  temporary_->write(bytes);
+  temporary_->write(write);
 }
 
 StagedFile::StagedFile(StagedFile&& other) noexcept = default;
@@ -157,5 +177,7 @@ void remove_leftovers(const fs::path& directory) {
 }
 
 void write_file(const fs::path& path, std::string_view bytes) { StagedFile(path, bytes).commit(); }
+
+void write_file(const fs::path& path, const FileWriter& write) { StagedFile(path, write).commit(); }
 
 }  // namespace wander

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -18,11 +19,17 @@ class OutputError : public std::runtime_error {
   OutputError(const std::string& place, int error_number);
 };
 
+// Takes the next bytes of a file.
+using ByteSink = std::function<void(std::string_view)>;
+// Gives all bytes of a file, piece by piece: what is large need not be held as a whole.
+using FileWriter = std::function<void(const ByteSink&)>;
+
 // A file that is on the disk, complete and synced, but does not yet bear its name.  Stage all files
 // of one output before the first is committed: a full disk is then found while nothing has changed.
 class StagedFile {
  public:
   StagedFile(const std::filesystem::path& path, std::string_view bytes);
+  StagedFile(const std::filesystem::path& path, const FileWriter& write);
   ~StagedFile();
   StagedFile(StagedFile&& other) noexcept;
   StagedFile& operator=(StagedFile&&) = delete;
@@ -37,6 +44,7 @@ class StagedFile {
 
 // A pipe or device (`/dev/stdout`) is written in place, for it must not be replaced by a file.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
+void write_file(const std::filesystem::path& path, const FileWriter& write);
 
 // Does this name belong to a temporary file?
 bool is_temporary(const std::filesystem::path& path);
@@ -45,5 +53,6 @@ void remove_leftovers(const std::filesystem::path& directory);
 
 // Writes all bytes to an open descriptor; `place` is named in the error.
 void write_to_descriptor(int descriptor, std::string_view bytes, const std::string& place);
+void write_to_descriptor(int descriptor, const FileWriter& write, const std::string& place);
 
 }  // namespace wander

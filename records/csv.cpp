@@ -12,31 +12,6 @@ namespace wander {
 
 namespace {
 
-using namespace description;
-
-// Counter-clockwise; equal ends are a full turn, and no arc is longer.
-double degrees_turned(const Arc& arc) {
-  double turn = arc.to_degrees - arc.from_degrees;
-  while (turn <= 0) turn += 360;
-  return std::min(turn, 360.0);
-}
-
-double arc_length(const ShapeKind& kind) {
-  struct Length {
-    double operator()(const Segment& s) const {
-      return std::hypot(s.to[0] - s.from[0], s.to[1] - s.from[1]);
-    }
-    double operator()(const Circle& c) const { return 2 * std::numbers::pi * c.radius; }
-    double operator()(const Arc& a) const {
-      return std::numbers::pi / 180 * degrees_turned(a) * a.radius;
-    }
-    double operator()(const Polyline&) const {
-      throw std::logic_error("a polyline cannot be a sensor");
-    }
-  };
-  return visit_known(Length{}, kind);
-}
-
 std::vector<double> centers_along(double length, int bins) {
   std::vector<double> centers(static_cast<std::size_t>(bins));
   for (int i = 0; i < bins; ++i) centers[static_cast<std::size_t>(i)] = length * ((i + 0.5) / bins);
@@ -48,20 +23,32 @@ double without_sign_of_nan(double x) { return std::isnan(x) ? std::abs(x) : x; }
 
 }  // namespace
 
-std::vector<double> bin_centers(const Scene& scene) {
+std::vector<double> bin_centers(const description::Scene& scene) {
   if (scene.camera) return centers_along(1, scene.camera->resolution.at(0));
-  for (const Shape& shape : scene.shapes)
-    if (shape.sensor) return centers_along(arc_length(shape.kind), shape.sensor->resolution.at(0));
+  for (const description::Shape& shape : scene.shapes)
+    if (shape.sensor)
+      return centers_along(
+          description::visit_kind<2>([](const auto& kind) { return kind.length(); }, shape.kind),
+          shape.sensor->resolution.at(0));
   throw std::logic_error("the scene has no sensor");
 }
 
 std::string to_csv(const FilmEstimate& film, const std::vector<double>& centers) {
-  std::string text = "bin,center,value,standard_error,reliable\n";
-  for (std::size_t i = 0; i < film.value.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{:d}\n", i, centers.at(i),
+  std::string text;
+  write_csv(film, centers, [&text](std::string_view line) { text += line; });
+  return text;
+}
+
+void write_csv(const FilmEstimate& film, const std::vector<double>& centers, const ByteSink& file) {
+  file("bin,center,value,standard_error,reliable\n");
+  std::string line;
+  for (std::size_t i = 0; i < film.value.size(); ++i) {
+    line.clear();
+    fmt::format_to(std::back_inserter(line), "{},{},{},{},{:d}\n", i, centers.at(i),
                    without_sign_of_nan(film.value[i]),
                    without_sign_of_nan(film.standard_error.at(i)), film.reliable.at(i));
-  return text;
+    file(line);
+  }
 }
 
 }  // namespace wander

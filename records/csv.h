@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/description.h"
+#include "records/atomic_file.h"
 #include "records/rendering.h"
 
 namespace wander {
@@ -16,5 +17,6 @@ namespace wander {
 std::vector<double> bin_centers(const description::Scene& scene);
 
 std::string to_csv(const FilmEstimate& film, const std::vector<double>& centers);
+void write_csv(const FilmEstimate& film, const std::vector<double>& centers, const ByteSink& file);
 
 }  // namespace wander

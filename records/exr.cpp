@@ -22,6 +22,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/film_layout.h"
+#include "records/bin_maps.h"
+
 namespace wander {
 
 namespace {
@@ -71,8 +74,10 @@ Planes planes_of(const Rendering& rendering) {
   for (const auto& [vertices, values] : film.by_length)
     planes[fmt::format("vertices_{}.Y", vertices)] = plane_of(values);
   for (const MutationRecord& mutation : rendering.mutations) {
-    planes[fmt::format("acceptance.{}.Y", mutation.name)] = plane_of(mutation.acceptance_per_bin);
-    planes[fmt::format("proposed.{}.Y", mutation.name)] = plane_of(mutation.proposed_per_bin);
+    planes[fmt::format("acceptance.{}.Y", mutation.name)] =
+        plane_of(on_bins(mutation.acceptance_per_bin, film));
+    planes[fmt::format("proposed.{}.Y", mutation.name)] =
+        plane_of(shared_by_bins(mutation.proposed_per_bin, film));
   }
   std::erase_if(planes, [](const auto& entry) { return entry.second.empty(); });
   return planes;
@@ -93,11 +98,20 @@ void insert_text(Imf::Header& header, const char* name, const std::string& text)
   header.insert(name, Imf::StringAttribute(text));
 }
 
+// "1 2 3"
+std::string seeds_of(const std::vector<MergedRun>& runs) {
+  std::string text;
+  for (const MergedRun& run : runs) text += (text.empty() ? "" : " ") + std::to_string(run.seed);
+  return text;
+}
+
 Imf::Header header_of(const RunRecord& run, const Planes& planes) {
   const Rendering& rendering = run.rendering;
   const Size size = size_of(rendering.film);
   Imf::Header header(size.width, size.height);
-  header.compression() = Imf::ZIP_COMPRESSION;
+  // 16 rows at a time, for which the library makes room also where there is one.
+  const bool is_long_row = size.height == 1 && FilmLayout{}.is_large(rendering.film.shape);
+  header.compression() = is_long_row ? Imf::ZIPS_COMPRESSION : Imf::ZIP_COMPRESSION;
   insert_text(header, "scene", run.provenance.scene_text);
   insert_text(header, "scene_name", run.provenance.scene_name);
   insert_text(header, "scene_sha256", run.provenance.scene_sha256);
@@ -107,6 +121,7 @@ Imf::Header header_of(const RunRecord& run, const Planes& planes) {
     insert_text(header, field.name, run.provenance.origin.*field.member);
   insert_text(header, "method", rendering.method);
   insert_text(header, "seed", std::to_string(rendering.seed));
+  if (!rendering.merged.empty()) insert_text(header, "merged_seeds", seeds_of(rendering.merged));
   insert_text(header, "samples", std::to_string(rendering.samples));
   insert_text(header, "complete", rendering.complete ? "true" : "false");
   header.insert("dimension", Imf::IntAttribute(run.provenance.dimension));

@@ -4,7 +4,8 @@
 //
 //   Y, standard_error.Y, reliable.Y (1 or 0)   the estimate
 //   vertices_N.Y                               its part from paths of N vertices
-//   acceptance.MUTATION.Y, proposed.MUTATION.Y Markov chain methods
+//   acceptance.MUTATION.Y, proposed.MUTATION.Y Markov chain methods; of a large film, if at all,
+//                                              from the cells of its raster (core/film_layout.h)
 //
 // Attributes: scene, scene_name, scene_sha256, command_line, wanderlight_version, seed, method,
 // samples, complete (all text), dimension, degrees_of_freedom, and for Markov chain methods

@@ -14,13 +14,22 @@
 
 namespace wander {
 
+// One of several runs that were merged.
+struct MergedRun {
+  std::uint64_t seed = 1, samples = 0;
+  double seconds = 0;
+  bool complete = true;
+};
+
 struct Rendering {
   bool complete = true;
   std::string method{};
   std::uint64_t samples = 0;
   std::uint64_t seed = 1;
+  std::vector<MergedRun> merged{};  // if it is of several runs: `seed` is that of the first
   int threads = 1;
-  double seconds = 0;            // wall time, from the building of the scene to the last number
+  // Wall time, from the building of the scene to the last number; the sum of those of merged runs.
+  double seconds = 0;
   double processor_seconds = 0;  // of all threads in that time
   double seed_seconds = 0;       // wall time until the end of the seed pass
   std::string precision = "double";

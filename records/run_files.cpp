@@ -17,8 +17,11 @@ void write_run(const RunRecord& run, const description::Scene& scene,
   std::vector<StagedFile> files;
   files.emplace_back(directory / "film.exr", to_exr(run));
   if (run.rendering.film.shape.size() == 1)
-    files.emplace_back(directory / "film.csv", to_csv(run.rendering.film, bin_centers(scene)));
-  files.emplace_back(directory / "run.json", to_json(run).dump(1) + "\n");
+    files.emplace_back(directory / "film.csv", [&](const ByteSink& file) {
+      write_csv(run.rendering.film, bin_centers(scene), file);
+    });
+  files.emplace_back(directory / "run.json",
+                     [&](const ByteSink& file) { write_json(run, 1, file); });
   for (StagedFile& file : files) file.commit();
 }
 

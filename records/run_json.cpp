@@ -5,11 +5,12 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "records/exr.h"
+#include "records/film_columns.h"
+#include "records/json_text.h"
 
 namespace wander {
 
@@ -31,9 +32,12 @@ ordered_json json_of(const Estimate& estimate) {
   return {{"value", json_of(estimate.value)}, {"standard_error", json_of(estimate.standard_error)}};
 }
 
+// An image is in the EXR.
+bool holds_bins(int dimension) { return dimension == 2; }
+
 ordered_json json_of(const FilmEstimate& film, int dimension) {
   ordered_json json{{"shape", film.shape}};
-  if (dimension == 2) {  // an image is in the EXR
+  if (holds_bins(dimension)) {
     json["value"] = json_of(film.value);
     json["standard_error"] = json_of(film.standard_error);
     json["reliable"] = film.reliable;
@@ -123,18 +127,31 @@ ordered_json json_of(const std::vector<MutationRecord>& mutations) {
   return json;
 }
 
-std::string read_text(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw RunFileError(fmt::format("{}: cannot be read", path.string()));
-  return text;
+ordered_json json_of(const std::vector<MergedRun>& runs) {
+  ordered_json json = ordered_json::array();
+  for (const MergedRun& run : runs)
+    json.push_back({{"seed", run.seed},
+                    {"samples", run.samples},
+                    {"seconds", json_of(run.seconds)},
+                    {"complete", run.complete}});
+  return json;
 }
 
-bool is_exr(std::string_view bytes) { return bytes.starts_with("\x76\x2f\x31\x01"); }
+bool is_exr(const std::filesystem::path& path) {
+  std::string beginning(4, '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw RunFileError(fmt::format("{}: cannot be read", path.string()));
+  file.read(beginning.data(), 4);
+  return beginning == "\x76\x2f\x31\x01";
+}
 
 }  // namespace
 
 ordered_json to_json(const RunRecord& run) {
+  return to_json(run, json_of(run.rendering.film, run.provenance.dimension));
+}
+
+ordered_json to_json(const RunRecord& run, ordered_json film) {
   const Rendering& rendering = run.rendering;
   const Provenance& provenance = run.provenance;
   ordered_json json{{"schema", run_schema},
@@ -146,13 +163,14 @@ ordered_json to_json(const RunRecord& run) {
                     {"dimension", provenance.dimension},
                     {"method", rendering.method},
                     {"samples", rendering.samples},
-                    {"seed", rendering.seed},
-                    {"threads", rendering.threads},
-                    {"seconds", json_of(rendering.seconds)},
-                    {"cpu_seconds", json_of(rendering.processor_seconds)},
-                    {"seed_seconds", json_of(rendering.seed_seconds)},
-                    {"precision", rendering.precision},
-                    {"film", json_of(rendering.film, provenance.dimension)}};
+                    {"seed", rendering.seed}};
+  if (!rendering.merged.empty()) json["merged"] = json_of(rendering.merged);
+  json["threads"] = rendering.threads;
+  json["seconds"] = json_of(rendering.seconds);
+  json["cpu_seconds"] = json_of(rendering.processor_seconds);
+  json["seed_seconds"] = json_of(rendering.seed_seconds);
+  json["precision"] = rendering.precision;
+  json["film"] = std::move(film);
   if (rendering.normalization) json["normalization"] = json_of(*rendering.normalization);
   if (rendering.chains > 0) json["chains"] = chains_of(rendering);
   if (!rendering.mutations.empty()) json["mutations"] = json_of(rendering.mutations);
@@ -172,15 +190,50 @@ ordered_json to_json(const Origin& origin) {
   return json;
 }
 
+void write_json(const RunRecord& run, int indent, const ByteSink& file) {
+  const FilmEstimate& film = run.rendering.film;
+  JsonText text(indent, file);
+  text.open_object();
+  const ordered_json whole = to_json(run, {});
+  for (const auto& [key, value] : whole.items()) {
+    text.key(key);
+    if (key != "film") {
+      text.value(value);
+      continue;
+    }
+    text.open_object();
+    text.key("shape").value(film.shape);
+    if (holds_bins(run.provenance.dimension)) {
+      text.key("value").array(film.value.size(), [&](auto i) { return json_of(film.value[i]); });
+      text.key("standard_error").array(film.standard_error.size(), [&](auto i) {
+        return json_of(film.standard_error[i]);
+      });
+      text.key("reliable").array(film.reliable.size(), [&](auto i) {
+        return ordered_json(bool(film.reliable[i]));
+      });
+    }
+    text.key("degrees_of_freedom").value(json_of(film.degrees_of_freedom));
+    text.close_object();
+  }
+  text.close_object();
+  file("\n");
+}
+
 std::optional<RunRecord> find_run(const std::filesystem::path& path) {
   std::error_code unreachable;
   if (std::filesystem::is_directory(path, unreachable)) return find_run(path / "run.json");
   if (!std::filesystem::is_regular_file(path, unreachable)) return std::nullopt;
-  const std::string text = read_text(path);
-  if (is_exr(text)) return read_exr(path);
-  const auto document = ordered_json::parse(text, nullptr, false);
+  if (is_exr(path)) return read_exr(path);
+  FilmColumns columns;
+  const ordered_json document = columns.read(path);
   if (!document.is_object() || document.value("schema", "") != run_schema) return std::nullopt;
-  return run_from_json(document, path.string());
+  RunRecord run = run_from_json(document, path.string());
+  try {
+    columns.move_to(run.rendering.film);
+  } catch (const std::runtime_error& problem) {
+    throw RunFileError(fmt::format("{}: {}", path.string(), problem.what()));
+  }
+  return run;
 }
 
 RunRecord read_run(const std::filesystem::path& path) {

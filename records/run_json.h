@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "records/atomic_file.h"
 #include "records/run_record.h"
 
 namespace wander {
@@ -14,6 +15,11 @@ namespace wander {
 inline constexpr const char* run_schema = "wanderlight-run/1";
 
 nlohmann::ordered_json to_json(const RunRecord& run);
+// The same with this for its film.
+nlohmann::ordered_json to_json(const RunRecord& run, nlohmann::ordered_json film);
+// As text, indented so far, which is never held as a whole: a film may have 10⁷ bins.  What is no
+// UTF-8 is replaced.
+void write_json(const RunRecord& run, int indent, const ByteSink& file);
 // The "film" of a run; an image has a shape alone, for its values are in the EXR.
 nlohmann::ordered_json to_json(const FilmEstimate& film, int dimension);
 // The "provenance" of a run or comparison, and its way back; what is not known is left out.

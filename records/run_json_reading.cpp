@@ -109,12 +109,21 @@ std::vector<MutationRecord> mutations_from(const ordered_json& json) {
   return mutations;
 }
 
+std::vector<MergedRun> merged_from(const ordered_json& json) {
+  std::vector<MergedRun> runs;
+  for (const ordered_json& entry : json)
+    runs.push_back({entry.at("seed"), entry.at("samples"), number_from(entry.at("seconds")),
+                    entry.at("complete")});
+  return runs;
+}
+
 Rendering rendering_from(const ordered_json& json) {
   Rendering rendering;
   rendering.complete = json.at("complete");
   rendering.method = json.at("method");
   rendering.samples = json.at("samples");
   rendering.seed = json.at("seed");
+  rendering.merged = merged_from(json.value("merged", ordered_json::array()));
   rendering.threads = json.at("threads");
   rendering.seconds = number_from(json.at("seconds"));
   rendering.processor_seconds = number_from(json.value("cpu_seconds", ordered_json()));

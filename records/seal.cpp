@@ -10,13 +10,23 @@ constexpr std::string_view mark = "wanderlight-sha256 ";
 constexpr std::size_t digits = 64;
 constexpr std::size_t seal_size = mark.size() + digits + 1;
 
-std::string seal_of(std::string_view bytes) { return std::string(mark) + sha256(bytes) + "\n"; }
+std::string seal_with(const std::string& digest) { return std::string(mark) + digest + "\n"; }
+std::string seal_of(std::string_view bytes) { return seal_with(sha256(bytes)); }
 
 }  // namespace
 
 std::string sealed(std::string bytes) {
   const std::string seal = seal_of(bytes);
   return std::move(bytes) + seal;
+}
+
+void write_sealed(const FileWriter& bytes, const ByteSink& file) {
+  Sha256 hash;
+  bytes([&](std::string_view piece) {
+    hash.add(piece);
+    file(piece);
+  });
+  file(seal_with(hash.digest()));
 }
 
 std::optional<std::string_view> unsealed(std::string_view file) {

@@ -8,9 +8,13 @@
 #include <string>
 #include <string_view>
 
+#include "records/atomic_file.h"
+
 namespace wander {
 
 std::string sealed(std::string bytes);
+// The same piece by piece.
+void write_sealed(const FileWriter& bytes, const ByteSink& file);
 // The bytes before the seal; none if there is no seal or it is of other bytes.
 std::optional<std::string_view> unsealed(std::string_view file);
 

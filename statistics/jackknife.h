@@ -1,6 +1,12 @@
 // The delete-a-group jackknife [Quenouille 1956; Tukey 1958]: of G independent groups each is left
 // out once, and
 //   Var θ = (G - 1)/G Σ_g (θ_(g) - mean θ_(·))².
+//
+// Groups may count for more or less in θ, by weights that do not depend on what they found.  With
+// W = Σ w_g it is
+//   Var θ = Σ_g (1 - w_g/W) (θ_(g) - mean θ_(·))²,
+// where the mean weighs θ_(g) by W - w_g.  Of a weighted mean that is Σ (w_g/W)² (x_g - θ)² but for
+// terms of the order w_g/W, so it holds however the spread of a group goes with its weight.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +15,8 @@
 
 namespace wander {
 
-// √Var θ from the θ_(g).  One group alone tells nothing: NaN.
-double jackknife_error(std::span<const double> without);
+// √Var θ from the θ_(g).  One group alone tells nothing: NaN.  No weights: they are equal.
+double jackknife_error(std::span<const double> without, std::span<const double> weights = {});
 
 // How many degrees of freedom the variance has: groups that move θ more than others count for
 // less.  (Σ v_g)² / Σ v_g² - 1 with v_g the squared deviations, never more than G - 1.
@@ -19,8 +25,9 @@ double jackknife_degrees(std::span<const double> squared_deviations);
 // Shares of a whole: θ_k = b Σ_g x_gk / Σ_g Σ_k x_gk, with b an estimate of its own.
 class RatioJackknife {
  public:
-  // x_gk, by group and part.
-  explicit RatioJackknife(const std::vector<std::vector<double>>& groups);
+  // x_gk, by group and part; a group's weight is in its x_gk already.
+  explicit RatioJackknife(const std::vector<std::vector<double>>& groups,
+                          std::vector<double> weights = {});
 
   double value(std::size_t part) const;  // θ_k / b
   // θ_k / b without a group; NaN if nothing is left.
@@ -30,6 +37,7 @@ class RatioJackknife {
 
  private:
   const std::vector<std::vector<double>>& groups_;
+  std::vector<double> weights_;
   std::vector<double> totals_, masses_;  // by part; by group
   double mass_ = 0;
 };

@@ -41,7 +41,9 @@ struct CheckOptions {
 };
 
 // Whose mutations are checked.
-const Method& mutated_method() { return method_of(MethodId::mlt); }
+const Method& mutated_method() {
+  return *methods_that([](const Method& m) { return m.state == ChainState::path; }).front();
+}
 
 std::uint64_t parse_samples(std::string_view text) {
   const Budget budget = parse_budget(text);
@@ -175,8 +177,9 @@ void add_check(CLI::App& app, Global& global) {
   add_global_options(*verb, global);
   verb->footer(
       "\nEach mutation, and their mixture, starts from weighted independent paths and makes 1 and "
-      "20\nsteps; films are compared bin by bin.  Exit code 4 when a test fails; what could not be "
-      "tested is\nlisted with the reason.\n\n"
+      "20\nsteps; films are compared bin by bin.  Exit code 4 when a test fails, and when none "
+      "could be "
+      "made;\nwhat could not be tested is listed with the reason.\n\n"
       "Example:\n  wander check scene.json --samples 1M");
   examine_with(*verb, global, [options, &global](Examination& examination) {
     examine(*options, global, examination);

@@ -137,9 +137,9 @@ std::vector<std::string> not_tested_of(const KernelCheck& check, int steps) {
 
 std::string outcome(const CheckReport& report) {
   const TestCounts counts = report.counts();
-  const char* lead = !report.passed()                     ? "FAILED: "
-                     : counts.passed + counts.failed == 0 ? "nothing could be tested: "
-                                                          : "";
+  const char* lead = report.passed()      ? ""
+                     : counts.failed == 0 ? "NOTHING COULD BE TESTED: "
+                                          : "FAILED: ";
   std::string text =
       fmt::format("{}{} test{} passed, {} failed, {} could not be made", lead, counts.passed,
                   counts.passed == 1 ? "" : "s", counts.failed, counts.not_made);
@@ -153,9 +153,8 @@ std::string outcome(const CheckReport& report) {
 }  // namespace
 
 bool CheckReport::passed() const {
-  return std::ranges::none_of(
-             mutations, [](const auto& m) { return verdict_of(m.report) == Verdict::failed; }) &&
-         std::ranges::none_of(methods, [](const auto& m) { return m.verdict == Verdict::failed; });
+  const TestCounts tests = counts();
+  return tests.failed == 0 && tests.passed > 0;
 }
 
 TestCounts CheckReport::counts() const {

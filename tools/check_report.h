@@ -30,6 +30,7 @@ struct CheckReport {
   std::vector<KernelCheck> mutations{};
   std::vector<MethodCheck> methods{};
 
+  // No test failed, and there was one.
   bool passed() const;
   TestCounts counts() const;
   std::vector<NotTested> not_tested() const;

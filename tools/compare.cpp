@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "draw/report/comparison_files.h"
 #include "lab/compare/comparison_json.h"
@@ -17,8 +18,8 @@
 #include "lab/parsing.h"
 #include "lab/reference_name.h"
 #include "lab/scene_source.h"
+#include "tools/compare_task.h"
 #include "tools/console.h"
-#include "tools/examined_job.h"
 #include "tools/interruption.h"
 #include "tools/output_place.h"
 #include "tools/progress.h"
@@ -30,71 +31,12 @@ namespace {
 
 using namespace compare;
 
-struct CompareOptions {
-  std::string scene;
-  std::string methods = "bdpt,mlt";
-  std::string budgets = "0.25s,1s,4s";
-  std::size_t replicates = 8;
-  std::string reference = "auto";
-  std::vector<std::string> fixed, sweeps;
-  double target = not_known;
-  // Once they are read.
-  std::optional<Plan> plan;
-  std::optional<SceneDocument> document;
-};
-
-// `max_vertices` is that of the scene, once it is read.
-std::vector<Entrant> entrants_of(const CompareOptions& options, std::optional<int> max_vertices) {
-  std::vector<Setting> fixed;
-  std::vector<Sweep> sweeps;
-  for (const std::string& text : options.fixed) fixed.push_back(parse_setting(text));
-  for (const std::string& text : options.sweeps) sweeps.push_back(parse_sweep(text));
-  return line_up(parse_methods(options.methods), fixed, sweeps, max_vertices);
-}
-
-Plan plan_of(const CompareOptions& options, const Global& global) {
-  Plan plan{.source = options.scene,
-            .entrants = entrants_of(options, std::nullopt),
-            .budgets = parse_budgets(options.budgets),
-            .replicates = options.replicates,
-            .seed = global.seed,
-            .threads = global.threads};
-  require_few_enough(plan);
-  return plan;
-}
-
-// Paths are as long as the scene says, or the base point.
-SceneDocument scene_for(const Plan& plan) {
-  SceneDocument document = open_scene(plan.source);
-  const Dials& base = plan.entrants.front().dials;
-  document.scene.max_vertices = base.max_vertices.value_or(document.scene.max_vertices);
-  return document;
-}
-
-void examine(CompareOptions& options, const Global& global, Examination& examination) {
-  examination.part([&] {
-    if (global.out.empty() && !global.json)
-      throw UsageError("compare needs -o DIR (where the tables go), or --json, or both");
-    if (!global.out.empty()) require_replaceable_directory(global.out, global);
-  });
-  examination.part([&] { options.plan = plan_of(options, global); });
-  if (options.scene.empty()) return;
-  examination.part([&] {
-    // Faults of the scene are told even where nothing is known of the contenders.
-    options.document = options.plan ? scene_for(*options.plan) : open_scene(options.scene);
-  });
-  if (!options.plan || !options.document) return;
-  options.plan->entrants = entrants_of(options, options.document->scene.max_vertices);
-  for (Entrant& entrant : options.plan->entrants)
-    entrant.job =
-        examined_job(options.document->scene, *entrant.method, entrant.dials, examination);
-}
-
 // What is known before anything is sampled.
 std::optional<Reference> known_reference(const SceneDocument& document, const std::string& wanted,
-                                         Runs& runs) {
+                                         const Provenance& provenance,
+                                         std::vector<std::string>& warnings) {
   if (wanted != "auto")
-    return reference_from_file(wanted, film_shape(document.scene), runs.provenance, runs.warnings);
+    return reference_from_file(wanted, film_shape(document.scene), provenance, warnings);
   std::string why;
   auto exact = exact_reference(document.scene, why);
   if (!exact) spdlog::debug("no exact film: {}", why);
@@ -135,8 +77,11 @@ void require_some(const Runs& runs) {
     throw CommandFailure(ExitCode::failure, runs.failures.front().message);
 }
 
-double effort_of_all(const Plan& plan, bool needs_reference) {
-  return effort_of(plan) + effort_of_paces(plan) +
+// Of what is still to come.
+double effort_of_all(const CompareTask& task, const std::vector<Turn>& turns) {
+  const Plan& plan = task.plan;
+  const bool needs_reference = !task.kept.reference();
+  return effort_of(plan, turns) + (turns.empty() ? 0 : effort_of_paces(plan)) +
          (needs_reference ? trial_effort(plan) + reference_effort(plan) : 0);
 }
 
@@ -147,49 +92,103 @@ void announce(const Forecast& forecast, Progress& progress, const Global& global
     progress.say(in_words(forecast));
 }
 
+// Kept if it was not interrupted; else its long runs are there for the next time (ReferenceCache).
+void sample_reference(CompareTask& task, LongPlan long_plan, const ReferenceCache& cache,
+                      Course& course, Runs& runs) {
+  runs.reference = make_reference(task.plan, std::move(long_plan), cache, course,
+                                  film_shape(task.document.scene), runs);
+  if (runs.complete) task.kept.keep({runs.reference, runs.warnings});
+}
+
 // The reference first: what an interruption leaves of the runs can then be measured.
-void make_runs(const SceneDocument& document, const Plan& plan, std::optional<Reference> reference,
-               const Global& global, Runs& runs) {
+void make_runs(CompareTask& task, const Global& global, Runs& runs) {
   Progress progress(global);
   const Session common{.threads = global.threads,
                        .interrupted = &watch_for_interruption(),
                        .report = progress.reporter()};
-  Course course(document.scene, common, effort_of_all(plan, !reference));
-  Forecast ahead = forecast(plan, paces_of(plan, course));
+  const Plan& plan = task.plan;
+  const std::vector<Turn> turns = turns_to_come(plan, task.kept);
+  Course course(task.document.scene, common, effort_of_all(task, turns));
+  const Paces paces = turns.empty() ? Paces(plan.entrants.size()) : paces_of(plan, course);
+  Forecast ahead = forecast(plan, paces, turns);
   LongPlan long_plan;
-  const ReferenceCache cache(runs.provenance, document.scene.max_vertices);
-  const std::vector<int> shape = film_shape(document.scene);
+  const ReferenceCache cache(runs.provenance, task.document.scene.max_vertices);
+  const std::optional<KeptReference> reference = task.kept.reference();
   if (!reference) {
     const std::vector<Worth> worths = hold_trial(plan, course);
-    long_plan = plan_reference(plan, worths, cache.load(shape, runs.warnings), ahead.longest);
+    long_plan = plan_reference(
+        plan, worths, cache.load(film_shape(task.document.scene), runs.warnings), ahead.longest);
     ahead.of_reference = long_plan.seconds;
   }
-  course.expect(effort_of(long_plan) + effort_of(plan));
-  if (!course.is_interrupted()) announce(ahead, progress, global);
-  if (!reference) reference = make_reference(plan, long_plan, cache, course, shape, runs);
-  runs.reference = *std::move(reference);
-  measure(plan, course, runs);
+  course.expect(effort_of(long_plan) + effort_of(plan, turns));
+  if (!course.is_interrupted() && !turns.empty()) announce(ahead, progress, global);
+  if (reference) {
+    runs.reference = reference->reference;
+    runs.warnings = reference->warnings;
+  } else {
+    sample_reference(task, std::move(long_plan), cache, course, runs);
+  }
+  make_runs(plan, course, task.kept, runs);
 }
 
-Runs runs_of(const SceneDocument& document, const Plan& plan, const CompareOptions& options,
-             const Global& global) {
-  Runs runs = prepared(plan, provenance_of(document, global.command_line));
-  runs.target = options.target;
-  runs.warnings = scene_warnings(document, options.scene);
-  make_runs(document, plan, known_reference(document, options.reference, runs), global, runs);
-  require_some(runs);
+void tell_where_it_goes_on(const CompareTask& task) {
+  const Plan& plan = task.plan;
+  print_note(fmt::format("  carried on from {} of {} runs\n", task.kept.finished(),
+                         plan.entrants.size() * plan.budgets.size() * plan.replicates));
+}
+
+// What is kept stands in the directory from the first moment, so that the comparison can be carried
+// on whenever it ends.
+void begin_keeping(CompareTask& task, const CompareOptions& options,
+                   const std::optional<OutputDirectory>& directory) {
+  if (options.is_continuation)
+    task.kept.extend(task.request.replicates, task.request.target);
+  else if (directory)
+    task.kept = KeptComparison(task.request, directory->path());
+}
+
+void keep_known_reference(CompareTask& task, const Runs& runs) {
+  if (task.kept.reference()) return;
+  std::vector<std::string> warnings;
+  auto known = known_reference(task.document, task.request.reference, runs.provenance, warnings);
+  if (known) task.kept.keep({*std::move(known), std::move(warnings)});
+}
+
+Runs runs_of(CompareTask& task, const CompareOptions& options, const Global& global,
+             const std::optional<OutputDirectory>& directory) {
+  Runs runs = prepared(task.plan, provenance_of(task.document, global.command_line));
+  runs.target = task.request.target;
+  begin_keeping(task, options, directory);
+  // One that can come to nothing is not kept; one that a full disk ended can go on.
+  const auto give_up = [&] {
+    if (!options.is_continuation) task.kept.discard();
+  };
+  try {
+    keep_known_reference(task, runs);
+    make_runs(task, global, runs);
+    require_some(runs);
+  } catch (const CommandFailure&) {
+    give_up();
+    throw;
+  } catch (const RunFileError&) {
+    give_up();
+    throw;
+  }
+  const std::vector<std::string> doubts = scene_warnings(task.document, task.request.scene_source);
+  runs.warnings.insert(runs.warnings.begin(), doubts.begin(), doubts.end());
   collect_warnings(runs);
-  warn_of_load(plan, runs);
+  warn_of_load(task.plan, runs);
   return runs;
 }
 
-ExitCode compare_methods(const CompareOptions& options, const Global& global) {
-  const Plan& plan = *options.plan;
-  const SceneDocument& document = *options.document;
+ExitCode compare_methods(const CompareOptions& options, CompareTask& task, const Global& global) {
   std::optional<OutputDirectory> directory;
-  if (!global.out.empty()) directory.emplace(global.out, global);
+  Global place = global;
+  place.force = place.force || options.is_continuation;
+  if (!global.out.empty()) directory.emplace(global.out, place);
+  if (options.is_continuation && !global.quiet) tell_where_it_goes_on(task);
 
-  const Comparison comparison = summarize(runs_of(document, plan, options, global));
+  const Comparison comparison = summarize(runs_of(task, options, global, directory));
 
   if (directory) write_comparison(comparison, directory->path());
   if (!global.quiet) {
@@ -206,7 +205,9 @@ ExitCode compare_methods(const CompareOptions& options, const Global& global) {
 std::string dials_help() {
   std::string text = "Dials, for --dial and --sweep:\n";
   for (const Dial& dial : dials())
-    text += fmt::format("  {:<15} {}\n", fmt::format("{}={}", dial.word, dial.value), dial.help);
+    text += fmt::format("  {:<19} {}\n",
+                        fmt::format("{}={}", dial.word, dial.value.empty() ? "on" : dial.value),
+                        dial.help);
   return text;
 }
 
@@ -232,56 +233,73 @@ Errors are measured against a reference whose own error is known and allowed for
         the two do not agree.  Long runs are kept for the next time in $XDG_CACHE_HOME/wanderlight
         or ~/.cache/wanderlight; remove that folder to make them anew.
 
-DIR receives report.html, compare.json, compare.csv and reference.json.  Ctrl-C ends the comparison
-with the runs that are complete, if there are any: exit code 130 and "complete": false.  A run in
-which a chain finds no light to start from is recorded as failed and does not end the comparison.
+DIR receives report.html, compare.json, compare.csv and reference.json, and a folder `kept` with the
+reference and every finished run, from which --continue carries the comparison on, also after Ctrl-C
+or a crash: what is there is not made again.  With samples the films are those of a comparison that
+never stopped.  Ctrl-C ends it with the runs that are complete, if there are any: exit code 130 and
+"complete": false.  A run in which a chain finds no light to start from is recorded as failed and
+does not end the comparison.
 
 Examples:
   wander compare scene.json -o comparison
   wander compare scene.json -m pt,bdpt,mlt -b 100k,1M --replicates 16 --target 0.01 -o comparison
   wander compare scene.json -m mlt -b 1s,4s --sweep max_vertices=4,6,8 -o sweep
+  wander compare --continue -o comparison --replicates 32
 )";
+
+// Those that say nothing are as usual, or as the comparison has them that is carried on.
+void add_options(CLI::App& verb, CompareOptions& options) {
+  verb.add_option("SCENE", options.scene, std::string(scene_help) + "; of a new comparison")
+      ->type_name("");
+  verb.add_option("-m,--methods", options.methods, "as of render (default: bdpt,mlt)")
+      ->type_name("METHOD,...");
+  verb.add_option("-b,--budgets", options.budgets,
+                  "how much each run computes (default: 0.25s,1s,4s)")
+      ->type_name("BUDGET,...");
+  verb.add_option_function<std::string>(
+          "--replicates",
+          [&options](const std::string& text) {
+            options.replicates = parse_count("--replicates", text, 2, 10'000);
+          },
+          "runs of each contender at each budget (default: 8); of a comparison that is continued, "
+          "in all (default: its own)")
+      ->type_name("R");
+  verb.add_option("--reference", options.reference,
+                  "what errors are measured against (default: auto)")
+      ->type_name("FILE|auto");
+  verb.add_option("--sweep", options.sweeps, "contenders at these values of a dial")
+      ->type_name("DIAL=V1,V2,...")
+      ->allow_extra_args(false);
+  verb.add_option("--dial", options.fixed, "turn a dial for all methods that have it")
+      ->type_name("DIAL=VALUE")
+      ->allow_extra_args(false);
+  verb.add_option_function<std::string>(
+          "--target",
+          [&options](const std::string& text) { options.target = parse_share("--target", text); },
+          "the relative error to which times are told (default: a round one that the best reaches)")
+      ->type_name("E");
+  verb.add_flag("--continue", options.is_continuation,
+                "carry on the comparison in DIR; SCENE and all that makes the runs are its own");
+}
 
 }  // namespace
 
 void add_compare(CLI::App& app, Global& global) {
   auto options = std::make_shared<CompareOptions>();
+  auto task = std::make_shared<std::optional<CompareTask>>();
   CLI::App* verb =
       app.add_subcommand("compare", "error against time and samples, method against method");
-  verb->add_option("SCENE", options->scene, scene_help)->type_name("")->required();
-  verb->add_option("-m,--methods", options->methods, "as of render (default: bdpt,mlt)")
-      ->type_name("METHOD,...");
-  verb->add_option("-b,--budgets", options->budgets,
-                   "how much each run computes (default: 0.25s,1s,4s)")
-      ->type_name("BUDGET,...");
-  verb->add_option_function<std::string>(
-          "--replicates",
-          [options](const std::string& text) {
-            options->replicates = parse_count("--replicates", text, 2, 10'000);
-          },
-          "runs of each contender at each budget (default: 8)")
-      ->type_name("R");
-  verb->add_option("--reference", options->reference,
-                   "what errors are measured against (default: auto)")
-      ->type_name("FILE|auto");
-  verb->add_option("--sweep", options->sweeps, "contenders at these values of a dial")
-      ->type_name("DIAL=V1,V2,...")
-      ->allow_extra_args(false);
-  verb->add_option("--dial", options->fixed, "turn a dial for all methods that have it")
-      ->type_name("DIAL=VALUE")
-      ->allow_extra_args(false);
-  verb->add_option_function<std::string>(
-          "--target",
-          [options](const std::string& text) { options->target = parse_share("--target", text); },
-          "the relative error to which times are told (default: a round one that the best reaches)")
-      ->type_name("E");
+  add_options(*verb, *options);
   add_global_options(*verb, global);
   verb->footer("\n" + dials_help() + details);
-  examine_with(*verb, global, [options, &global](Examination& examination) {
-    examine(*options, global, examination);
+  examine_with(*verb, global, [options, task, verb, &global](Examination& examination) {
+    if (verb->count("--seed") > 0) options->seed = global.seed;
+    *task = examine_compare(*options, global, examination);
   });
-  verb->callback([options, &global] {
-    global.job = [options, &global] { return compare_methods(*options, global); };
+  verb->callback([options, task, &global] {
+    global.job = [options, task, &global] {
+      return compare_methods(*options, task->value(), global);
+    };
   });
 }
 

@@ -18,6 +18,10 @@ void print_data(std::string_view text) {
   write_to_descriptor(STDOUT_FILENO, text, "standard output");
 }
 
+void print_data(const FileWriter& write) {
+  write_to_descriptor(STDOUT_FILENO, write, "standard output");
+}
+
 void print_json(const nlohmann::ordered_json& document) {
   print_data(document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
 }

@@ -4,10 +4,13 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string_view>
 
+#include "records/atomic_file.h"
+
 namespace wander {
 
 // Writes all of `text` to stdout or throws OutputError (closed pipe, full disk).
 void print_data(std::string_view text);
+void print_data(const FileWriter& write);
 // One JSON document, indented; numbers that are not finite become null.
 void print_json(const nlohmann::ordered_json& document);
 

@@ -12,14 +12,16 @@ void add_dial_options(CLI::App& verb, std::span<const std::string_view> words,
                       const std::shared_ptr<DialOptions>& options) {
   for (const std::string_view word : words) {
     const Dial& dial = find_dial(word);
-    verb.add_option_function<std::string>(
-            dial.option(),
-            [options, &dial](const std::string& text) {
-              dial.set(options->dials, text);
-              options->turned.emplace_back(&dial, text);
-            },
-            dial.help)
-        ->type_name(std::string(dial.value));
+    const auto turn = [options, &dial](const std::string& text) {
+      dial.set(options->dials, text);
+      options->turned.emplace_back(&dial, text);
+    };
+    if (dial.value.empty())
+      verb.add_flag_callback(
+          dial.option(), [turn] { turn("on"); }, dial.help);
+    else
+      verb.add_option_function<std::string>(dial.option(), turn, dial.help)
+          ->type_name(std::string(dial.value));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lab/failure.h"
@@ -42,6 +43,7 @@ Told told(const std::exception& problem) {
   return told;
 }
 
+// Each message once: contenders of a comparison may be refused in the same words.
 std::vector<Told> all_told(const std::exception& problem) {
   const auto* several = dynamic_cast<const Failures*>(&problem);
   if (several == nullptr) return {told(problem)};
@@ -50,7 +52,9 @@ std::vector<Told> all_told(const std::exception& problem) {
     try {
       std::rethrow_exception(found);
     } catch (const std::exception& one) {
-      all.push_back(told(one));
+      Told next = told(one);
+      if (std::ranges::find(all, next.message, &Told::message) == all.end())
+        all.push_back(std::move(next));
     }
   }
   return all;

@@ -14,12 +14,12 @@ namespace wander {
 namespace {
 
 ProgressMode parse_progress(std::string_view text) {
-  constexpr std::array<std::string_view, 4> words{"auto", "bar", "json", "none"};
   constexpr std::array modes{ProgressMode::automatic, ProgressMode::bar, ProgressMode::json,
                              ProgressMode::none};
-  const auto found = std::find(words.begin(), words.end(), text);
-  if (found == words.end()) throw UsageError(unknown_word("progress", text, words));
-  return modes[static_cast<std::size_t>(found - words.begin())];
+  const auto found = std::ranges::find(progress_words, text);
+  if (found == progress_words.end())
+    throw UsageError(unknown_word("progress", text, progress_words));
+  return modes[static_cast<std::size_t>(found - progress_words.begin())];
 }
 
 }  // namespace

@@ -56,11 +56,10 @@ void leave_out_what_an_image_lacks(ordered_json& json) {
 
 ordered_json inspect_run(const RunRecord& run) {
   ordered_json json{{"schema", "wanderlight-inspection/1"}, {"kind", "run"}};
-  const ordered_json whole = to_json(run);
+  const ordered_json whole = to_json(run, film_of(run.rendering.film));
   for (const auto& [key, value] : whole.items())
     if (key != "schema") json[key] = value;
   json["scene"].erase("text");
-  json["film"] = film_of(run.rendering.film);
   if (std::isnan(run.rendering.seconds)) leave_out_what_an_image_lacks(json);
   return json;
 }

@@ -10,6 +10,7 @@
 
 #include "draw/report/comparison_files.h"
 #include "lab/checkpoint.h"
+#include "lab/compare/kept_comparison.h"
 #include "lab/failure.h"
 #include "records/atomic_file.h"
 #include "records/run_files.h"
@@ -31,13 +32,17 @@ const char* contents_of(const fs::path& directory) {
   if (std::error_code error; fs::exists(checkpoint_in(directory), error))
     return "a run that did not come to its end";
   if (compare::holds_comparison(directory)) return "a comparison";
+  if (compare::holds_kept_comparison(directory)) return "a comparison that did not come to its end";
   return "files that this program did not make";
 }
 
 // What a program that was killed has left behind does not count.
 bool holds_nothing(const fs::path& directory, std::error_code& error) {
-  return std::ranges::all_of(fs::directory_iterator(directory, error),
-                             [](const fs::directory_entry& entry) { return is_temporary(entry); });
+  return std::ranges::all_of(
+      fs::directory_iterator(directory, error), [&](const fs::directory_entry& entry) {
+        return is_temporary(entry) || (entry.path() == compare::kept_in(directory) &&
+                                       entry.is_directory() && holds_nothing(entry, error));
+      });
 }
 
 void require_empty(const fs::path& directory, const Global& global, std::string_view remedy) {

@@ -130,15 +130,14 @@ Choice parse_choice(std::string_view kind, std::string_view text,
 
 figure::Layout parse_layout(std::string_view text) {
   using enum figure::Layout;
-  return parse_choice<figure::Layout, 3>("layout", text, {"auto", "overlay", "panels"},
+  return parse_choice<figure::Layout, 3>("layout", text, layout_words,
                                          {automatic, overlay, panels});
 }
 
 TrajectoryFigure parse_figure(std::string_view text) {
   using enum TrajectoryFigure;
   return parse_choice<TrajectoryFigure, 6>(
-      "figure", text, {"paths", "trace", "acceptance", "autocorrelation", "density", "all"},
-      {paths, trace, acceptance, autocorrelation, density, all});
+      "figure", text, figure_words, {paths, trace, acceptance, autocorrelation, density, all});
 }
 
 DrawRange parse_draws(std::string_view text) {

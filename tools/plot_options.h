@@ -1,9 +1,11 @@
 // What the command line of `wander plot` says, and the kinds of plots that it chooses from.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/description.h"
@@ -12,6 +14,10 @@
 #include "work/session.h"
 
 namespace wander {
+
+inline constexpr std::array<std::string_view, 3> layout_words{"auto", "overlay", "panels"};
+inline constexpr std::array<std::string_view, 6> figure_words{
+    "paths", "trace", "acceptance", "autocorrelation", "density", "all"};
 
 enum class TrajectoryFigure { all, paths, trace, acceptance, autocorrelation, density };
 

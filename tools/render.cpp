@@ -10,6 +10,7 @@
 
 #include "lab/engine.h"
 #include "lab/load_warning.h"
+#include "lab/memory_need.h"
 #include "lab/parsing.h"
 #include "lab/scene_source.h"
 #include "records/run_files.h"
@@ -53,11 +54,15 @@ Keeper keeper_in(const OutputDirectory& directory, const RenderOptions& options,
     if (!options.is_continuation) std::filesystem::remove(checkpoint_in(directory.path()));
     return keeper;
   }
-  keeper.keep = [path = directory.path(), checkpoint = task.run](const KeptRun& run) mutable {
-    checkpoint.run = run;
-    write_checkpoint(checkpoint, path);
+  Checkpoint checkpoint = task.run;
+  checkpoint.run = {};
+  keeper.keep = [path = directory.path(), checkpoint](const Headway& headway,
+                                                      const StateWriter& state) mutable {
+    checkpoint.run.headway = headway;
+    write_checkpoint(checkpoint, state, path);
   };
-  if (!options.is_continuation || task.is_new_budget) keeper.keep(task.run.run);
+  if (!options.is_continuation || task.is_new_budget)
+    keeper.keep(task.run.run.headway, [&](std::ostream& bytes) { bytes << task.run.run.state; });
   return keeper;
 }
 
@@ -67,6 +72,17 @@ void tell_where_it_goes_on(const RenderTask& task) {
                          task.run.budget));
   if (has_chains && task.is_new_budget && task.run.run.headway.samples > 0)
     print_note("  the seed pass and the number of chains stay as the run has them\n");
+}
+
+// Always where it is much.
+void tell_memory(const RenderTask& task, const Global& global) {
+  Session session;
+  session.threads = global.threads;
+  const MemoryNeed need = memory_need(task.job, Run(session).threads());
+  if (need.most() > much_memory)
+    spdlog::info("the run needs about {}", memory_in_words(need));
+  else
+    spdlog::debug("the run needs about {}", memory_in_words(need));
 }
 
 ExitCode render_scene(const RenderOptions& options, const RenderTask& task, const Global& global) {
@@ -79,6 +95,7 @@ ExitCode render_scene(const RenderOptions& options, const RenderTask& task, cons
     keeper = keeper_in(*directory, options, task);
   }
   if (options.is_continuation && !global.quiet) tell_where_it_goes_on(task);
+  tell_memory(task, global);
 
   const RunRecord run{rendering_of(task, keeper, global),
                       provenance_of(task.document, global.command_line)};
@@ -92,7 +109,7 @@ ExitCode render_scene(const RenderOptions& options, const RenderTask& task, cons
     if (directory) print_note(fmt::format("  saved in        {}\n", directory->path().string()));
   }
   for (const std::string& warning : run.rendering.warnings) spdlog::warn("{}", warning);
-  if (global.json) print_json(to_json(run));
+  if (global.json) print_data([&](const ByteSink& text) { write_json(run, 2, text); });
   return run.rendering.complete ? ExitCode::ok : ExitCode::interrupted;
 }
 

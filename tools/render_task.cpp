@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "lab/failure.h"
+#include "lab/merge.h"
 #include "lab/parsing.h"
 #include "lab/scene_source.h"
 #include "tools/examined_job.h"
@@ -17,6 +18,8 @@ namespace wander {
 namespace {
 
 constexpr const char* usual_budget = "5s";
+constexpr const char* anew =
+    "compute the run anew: `wander render SCENE -m METHOD --force`, without --continue";
 
 std::map<std::string, std::string> texts_of(const DialOptions& given) {
   std::map<std::string, std::string> texts;
@@ -106,8 +109,17 @@ void require_not_beyond(const Checkpoint& run, const Budget& budget, const std::
         run.run.headway.samples, text));
 }
 
+void require_not_merged(const std::filesystem::path& directory) {
+  if (is_merged(directory))
+    throw UsageError(
+        fmt::format("{} holds merged runs, which do not go on together: carry them on one by one, "
+                    "and merge them again with --force",
+                    directory.string()));
+}
+
 RenderTask continued(const RenderOptions& options, const Global& global) {
-  Checkpoint run = read_checkpoint(global.out);
+  require_not_merged(global.out);
+  Checkpoint run = read_checkpoint(global.out, anew);
   std::optional<SceneDocument> scene;
   if (!options.scene.empty()) scene = open_scene(options.scene);
   if (const auto found = differences(options, run, scene ? &*scene : nullptr); !found.empty())

@@ -17,6 +17,16 @@ namespace wander {
 
 namespace {
 
+// Runs 1 to N of a job array are the usual case.
+std::string seeds_in_words(const Rendering& rendering) {
+  const auto& runs = rendering.merged;
+  if (runs.size() < 2) return fmt::format(", seed {}", rendering.seed);
+  const std::uint64_t first = runs.front().seed, last = runs.back().seed;
+  if (last - first + 1 == runs.size())
+    return fmt::format(", {} runs of seeds {} to {}", runs.size(), first, last);
+  return fmt::format(", {} runs of seeds between {} and {}", runs.size(), first, last);
+}
+
 std::string work_line(const Rendering& rendering) {
   if (const std::string origin = origin_of(rendering); !origin.empty())
     return fmt::format("reference: {}\n", origin);
@@ -29,10 +39,12 @@ std::string work_line(const Rendering& rendering) {
       line += fmt::format(", of which seed pass {}", duration_in_words(rendering.seed_seconds));
     line += fmt::format("; {} thread{}", rendering.threads, rendering.threads == 1 ? "" : "s");
   }
-  line += fmt::format(", seed {}", rendering.seed);
+  line += seeds_in_words(rendering);
   if (rendering.chains > 0)
     line += fmt::format("; {} chains in {} groups", rendering.chains, rendering.groups);
-  return line + (rendering.complete ? "\n" : "; INCOMPLETE, it was interrupted\n");
+  if (rendering.complete) return line + "\n";
+  return fmt::format("{}; INCOMPLETE, {} was interrupted\n", line,
+                     rendering.merged.empty() ? "it" : "a part of it");
 }
 
 std::string film_lines(const FilmEstimate& film) {
@@ -59,10 +71,9 @@ std::string number(double x, const char* unit) {
   return std::isnan(x) ? "-" : count_in_words(x) + unit;
 }
 
-// What is the same in all states has no diagnostics.
+// What is the same in all states has no diagnostics, nor has a run that was interrupted early.
 std::string chain_lines(const ChainsRecord& chains, double seconds) {
-  std::string text = fmt::format("  {:<24} {:>7} {:>9} {:>9} {:>10}  autocorrelation\n", "chains",
-                                 "R-hat", "ESS bulk", "tail", "ESS/s");
+  std::string text;
   for (const FunctionalRecord& f : chains.functionals) {
     if (std::isnan(f.r_hat) && std::isnan(f.ess_bulk)) continue;
     text +=
@@ -71,7 +82,10 @@ std::string chain_lines(const ChainsRecord& chains, double seconds) {
                     number(f.ess_bulk, ""), number(f.ess_tail, ""),
                     number(f.ess_bulk / seconds, ""), number(f.autocorrelation_time, " mutations"));
   }
-  return text;
+  if (text.empty()) return text;
+  return fmt::format("  {:<24} {:>7} {:>9} {:>9} {:>10}  autocorrelation\n", "chains", "R-hat",
+                     "ESS bulk", "tail", "ESS/s") +
+         text;
 }
 
 // The commonest reasons, as shares of all proposals.

@@ -50,6 +50,7 @@ struct TraceOptions {
     std::uint64_t step;
   };
   std::optional<Step> replay;
+  bool is_replay = false;  // also where its step could not be read
   // Once the scene is read.
   std::optional<SceneDocument> document;
   std::optional<Job> job;
@@ -72,7 +73,7 @@ void require_traceable(const TraceOptions& options) {
 bool is_csv(const Global& global) { return global.out.extension() == ".csv"; }
 
 void require_sensible_output(const TraceOptions& options, const Global& global) {
-  if (options.replay) {
+  if (options.is_replay) {
     if (global.out.empty()) return;
     throw UsageError("--replay prints one step and writes no file; leave out -o");
   }
@@ -232,7 +233,10 @@ void add_trace_options(CLI::App& verb, const std::shared_ptr<TraceOptions>& opti
   option("--window", "A:B", "record the steps A to B - 1 of each chain (default: all)",
          [options](const std::string& text) { options->window = parse_pair("--window", text); });
   option("--replay", "CHAIN:STEP", "record nothing; print every factor of this one step",
-         [options](const std::string& text) { options->replay = parse_step(text); });
+         [options](const std::string& text) {
+           options->is_replay = true;
+           options->replay = parse_step(text);
+         });
 }
 
 }  // namespace

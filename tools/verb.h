@@ -14,10 +14,12 @@
 //   }
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "lab/exit_code.h"
 #include "tools/examination.h"
@@ -28,6 +30,7 @@ class App;
 
 namespace wander {
 
+inline constexpr std::array<std::string_view, 4> progress_words{"auto", "bar", "json", "none"};
 enum class ProgressMode { automatic, bar, json, none };
 
 // What every verb is told by the options that all verbs share.
@@ -56,5 +59,6 @@ void add_gallery(CLI::App& app, Global& global);
 void add_plot(CLI::App& app, Global& global);
 void add_check(CLI::App& app, Global& global);
 void add_compare(CLI::App& app, Global& global);
+void add_merge(CLI::App& app, Global& global);
 
 }  // namespace wander

@@ -11,7 +11,6 @@
 #include <memory>
 
 #include "core/geometry/triangle.h"
-#include "core/geometry/triangles.h"
 
 namespace wander {
 
@@ -22,8 +21,7 @@ class Mesh {
   using Point = typename W::Point;
   using Square = typename W::Square;
   static constexpr bool flat = true;
-  // Only an emitter can be sampled, and has a parameter for each of its points.
-  enum class Role { passive, emitter };
+  using Role = SurfaceRole;  // only an emitter has a parameter for each of its points
 
   Mesh(std::shared_ptr<const Triangles> triangles, Role role);
 
@@ -71,5 +69,10 @@ class Mesh {
   std::shared_ptr<const Shares> shares_;  // of an emitter
   Length measure_ = 0;
 };
+
+template <World W, class Add>
+void add_surfaces(const description::Mesh& s, SurfaceRole role, Add&& add) {
+  add(Mesh<W>(s.triangles, role));
+}
 
 }  // namespace wander

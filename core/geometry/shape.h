@@ -1,4 +1,5 @@
-// The closed set of shapes of each world.
+// The list of shapes: those that scene files name, and the curves and surfaces of each world that
+// rays meet.  Each is defined in its own file.
 #pragma once
 
 #include <utility>
@@ -10,6 +11,11 @@
 #include "core/geometry/triangle.h"
 
 namespace wander {
+
+namespace description {
+using ShapeKind =
+    std::variant<Segment, Polyline, Circle, Arc, Triangle, Parallelogram, Sphere, Mesh>;
+}
 
 template <World W, int D>
 struct ShapesOf;

@@ -11,9 +11,20 @@
 // and a shape of many primitives (mesh.h) also their number, primitives(), and bounds(primitive).
 #pragma once
 
+#include <numbers>
+
+#include "core/curves.h"
 #include "core/ray.h"
 
 namespace wander {
+
+template <World W>
+typename W::Point point_of(const description::Coordinates& c) {
+  typename W::Point p;
+  for (int axis = 0; axis < W::dimension; ++axis)
+    p[axis] = c[static_cast<std::size_t>(axis)] + 0.0;  // -0 is 0
+  return p;
+}
 
 template <World W>
 struct Box {
@@ -88,5 +99,35 @@ class Arc {
   Point center_, first_, last_;  // unit vectors from the centre to the ends
   Length radius_, start_, extent_, facing_;
 };
+
+// ---- What rays meet of the curves that scene files name
+
+template <World W, class Add>
+void add_curves(const description::Segment& s, Add&& add) {
+  add(Segment<W>(point_of<W>(s.from), point_of<W>(s.to)));
+}
+
+template <World W, class Add>
+void add_curves(const description::Polyline& s, Add&& add) {
+  s.for_each_side([&](const auto& from, const auto& to) {
+    add(Segment<W>(point_of<W>(from), point_of<W>(to)));
+  });
+}
+
+template <World W, class Add>
+void add_curves(const description::Circle& s, Add&& add) {
+  using Facing = typename Arc<W>::Facing;
+  add(Arc<W>(point_of<W>(s.center), s.radius, 0, 2 * std::numbers::pi,
+             s.flip ? Facing::inward : Facing::outward));
+}
+
+template <World W, class Add>
+void add_curves(const description::Arc& s, Add&& add) {
+  using Facing = typename Arc<W>::Facing;
+  const double degrees = s.degrees_turned(), radian = std::numbers::pi / 180;
+  const double turn = degrees >= 360 ? 2 * std::numbers::pi : degrees * radian;
+  add(Arc<W>(point_of<W>(s.center), s.radius, s.from_degrees * radian, turn,
+             s.flip ? Facing::inward : Facing::outward));
+}
 
 }  // namespace wander

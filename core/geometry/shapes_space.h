@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/shapes_flat.h"
+#include "core/surfaces.h"
 
 namespace wander {
 
@@ -55,5 +56,18 @@ class Parallelogram {
   Point dual0_, dual1_;  // dot(p - origin, dual) are the coordinates along the edges
   Length area_;
 };
+
+// ---- What rays meet of the surfaces that scene files name
+
+template <World W, class Add>
+void add_surfaces(const description::Sphere& s, SurfaceRole, Add&& add) {
+  using Facing = typename Sphere<W>::Facing;
+  add(Sphere<W>(point_of<W>(s.center), s.radius, s.flip ? Facing::inward : Facing::outward));
+}
+
+template <World W, class Add>
+void add_surfaces(const description::Parallelogram& s, SurfaceRole, Add&& add) {
+  add(Parallelogram<W>(point_of<W>(s.origin), point_of<W>(s.edges[0]), point_of<W>(s.edges[1])));
+}
 
 }  // namespace wander

@@ -11,6 +11,7 @@
 #include <glm/common.hpp>
 
 #include "core/geometry/shapes_flat.h"
+#include "core/surfaces.h"
 
 namespace wander {
 
@@ -160,5 +161,11 @@ class Triangle {
 
   Point a_, b_, c_;
 };
+
+template <World W, class Add>
+void add_surfaces(const description::Triangle& s, SurfaceRole, Add&& add) {
+  const auto& [a, b, c] = s.points;
+  add(Triangle<W>(point_of<W>(a), point_of<W>(b), point_of<W>(c)));
+}
 
 }  // namespace wander

@@ -10,18 +10,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi, full_turn = 2 * pi;
 
-template <class... Fs>
-struct Overloaded : Fs... {
-  using Fs::operator()...;
-};
-template <class... Fs>
-Overloaded(Fs...) -> Overloaded<Fs...>;
-
 Vector flat(const description::Coordinates& p) { return {p[0], p[1]}; }
 Vector towards(double angle) { return {std::cos(angle), std::sin(angle)}; }
-
-// Circles and arcs alike.
-double facing(const auto& curve) { return curve.flip ? -1 : 1; }
 
 // From one angle to the other, counter-clockwise; equal ends are a full turn.
 double extent_between(double from_degrees, double to_degrees) {
@@ -29,12 +19,10 @@ double extent_between(double from_degrees, double to_degrees) {
   return (turn > 0 ? turn : turn + 360) * pi / 180;
 }
 
-Bend bend(const description::Circle& c) {
-  return {flat(c.center), c.radius, 0, full_turn, facing(c)};
-}
-Bend bend(const description::Arc& a) {
-  return {flat(a.center), a.radius, std::fmod(a.from_degrees, 360) * pi / 180,
-          extent_between(a.from_degrees, a.to_degrees), facing(a)};
+Curve curve_of(const description::Segment& s) { return Line{flat(s.from), flat(s.to)}; }
+Curve curve_of(const description::Arc& a) {
+  return Bend{flat(a.center), a.radius, std::fmod(a.from_degrees, 360) * pi / 180,
+              extent_between(a.from_degrees, a.to_degrees), a.flip ? -1. : 1.};
 }
 
 Vector normal(const Line& line) {
@@ -73,32 +61,21 @@ std::string data(const Bend& b, const PageMap& map, double offset) {
          (whole ? "Z" : "");
 }
 
-std::string data(const description::Polyline& polyline, const PageMap& map) {
-  std::string result;
-  for (const auto& point : polyline.points)
-    result += (result.empty() ? "M" : "L") + coordinates(map(flat(point)));
-  return result + (polyline.closed ? "Z" : "");
-}
-
 }  // namespace
 
 std::vector<Curve> curves(const description::ShapeKind& shape) {
-  using Curves = std::vector<Curve>;
-  return visit_known(
-      Overloaded{[](const description::Segment& s) {
-                   return Curves{Line{flat(s.from), flat(s.to)}};
-                 },
-                 [](const description::Circle& c) { return Curves{bend(c)}; },
-                 [](const description::Arc& a) { return Curves{bend(a)}; },
-                 [](const description::Polyline& p) {
-                   Curves sides;
-                   for (std::size_t k = 0; k + 1 < p.points.size(); ++k)
-                     sides.push_back(Line{flat(p.points[k]), flat(p.points[k + 1])});
-                   if (p.closed && p.points.size() > 2)
-                     sides.push_back(Line{flat(p.points.back()), flat(p.points.front())});
-                   return sides;
-                 }},
-      shape);
+  std::vector<Curve> found;
+  for (const auto& stroke : outline_of(shape))
+    found.push_back(std::visit([](const auto& s) { return curve_of(s); }, stroke));
+  return found;
+}
+
+bool is_closed(const std::vector<Curve>& outline) {
+  if (outline.size() == 1) {
+    const Bend* bend = std::get_if<Bend>(&outline.front());
+    return bend && bend->extent >= full_turn;
+  }
+  return spot(outline.back(), 1).position == spot(outline.front(), 0).position;
 }
 
 Spot spot(const Curve& curve, double fraction) {
@@ -132,9 +109,16 @@ void Extent::include(const Curve& curve) {
 }
 
 std::string outline(const description::ShapeKind& shape, const PageMap& map) {
-  if (const auto* polyline = std::get_if<description::Polyline>(&shape))
-    return data(*polyline, map);
-  return outline(curves(shape).front(), map, 0);
+  const std::vector<Curve> sides = curves(shape);
+  if (sides.size() == 1) return outline(sides.front(), map, 0);
+  const bool closed = is_closed(sides);
+  std::string path = "M" + coordinates(map(spot(sides.front(), 0).position));
+  for (std::size_t k = 0; k < sides.size(); ++k) {
+    const bool drawn_by_closing =
+        closed && k + 1 == sides.size() && std::holds_alternative<Line>(sides[k]);
+    if (!drawn_by_closing) path += continuation(sides[k], map, Direction::along);
+  }
+  return path + (closed ? "Z" : "");
 }
 
 std::string outline(const Curve& curve, const PageMap& map, double offset) {

@@ -25,6 +25,8 @@ using Curve = std::variant<Line, Bend>;
 
 // In drawing order; a polyline has one for each of its sides.
 std::vector<Curve> curves(const description::ShapeKind& shape);
+// The curves of one shape lead back to their start.
+bool is_closed(const std::vector<Curve>& outline);
 
 struct Spot {
   Vector position, normal;

@@ -24,15 +24,10 @@ Side with_back_on_left(const Curve& curve) {
 
 using Loop = std::vector<Side>;
 
-bool is_closed(const description::ShapeKind& outline) {
-  const auto* polyline = std::get_if<description::Polyline>(&outline);
-  return std::holds_alternative<description::Circle>(outline) || (polyline && polyline->closed);
-}
-
 // The sides of one shape, end to end.
-Loop loop_of(const description::ShapeKind& outline) {
+Loop loop_of(const std::vector<Curve>& outline) {
   Loop loop;
-  for (const Curve& curve : curves(outline)) loop.push_back(with_back_on_left(curve));
+  for (const Curve& curve : outline) loop.push_back(with_back_on_left(curve));
   if (loop.front().direction == Direction::against) std::reverse(loop.begin(), loop.end());
   return loop;
 }
@@ -89,7 +84,8 @@ Insides find_insides(const std::vector<description::ShapeKind>& outlines, const 
   };
 
   std::vector<Side> pool;
-  for (const description::ShapeKind& outline : outlines) {
+  for (const description::ShapeKind& shape : outlines) {
+    const std::vector<Curve> outline = curves(shape);
     Loop alone = loop_of(outline);
     if (is_closed(outline))
       add(alone);

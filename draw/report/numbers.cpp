@@ -66,7 +66,7 @@ std::optional<int> common_decimals(std::span<const double> values) {
 }
 
 std::string in_brackets(const Interval& interval, std::optional<int> decimals) {
-  if (!is_known(interval)) return "";
+  if (!is_known(interval)) return unknown_number;
   const auto end = [&](double value) {
     if (std::isnan(value)) return std::string("?");
     if (std::isinf(value)) return std::string(value < 0 ? "−∞" : "∞");

@@ -13,7 +13,7 @@ inline constexpr const char* unknown_number = "–";
 
 // Three significant digits: "0.0123", "412", "1.23·10⁻⁷".
 std::string rounded(double value);
-// "[0.011, 0.014]", "[0.011, ?]" where a bound excludes nothing, "" where both do.
+// "[0.011, 0.014]", "[0.011, ?]" where a bound excludes nothing, unknown_number where both do.
 std::string rounded(const compare::Interval& interval);
 // "0.0123 [0.011, 0.014]"
 std::string with_interval(const compare::Measured& measured);

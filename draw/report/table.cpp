@@ -63,8 +63,7 @@ void Table::add_measured(const std::string& heading, const std::vector<compare::
   const auto is_known = [](const std::string& cell) { return cell != unknown_number; };
   if (std::ranges::none_of(cells.values, is_known)) return;
   add_column({heading}, cells.values);
-  const auto is_filled = [](const std::string& cell) { return !cell.empty(); };
-  if (std::ranges::any_of(cells.intervals, is_filled))
+  if (std::ranges::any_of(cells.intervals, is_known))
     add_column({"95 % interval", Kind::interval}, cells.intervals);
 }
 

@@ -44,6 +44,12 @@ std::vector<NamedBudget> parse_budgets(std::string_view text) {
   return budgets;
 }
 
+bool are_the_same(const std::vector<NamedBudget>& a, const std::vector<NamedBudget>& b) {
+  return std::ranges::equal(a, b, [](const NamedBudget& x, const NamedBudget& y) {
+    return are_alike(x.budget, y.budget) && effort_of(x.budget) == effort_of(y.budget);
+  });
+}
+
 double effort_of(const Budget& budget) {
   if (const auto* time = std::get_if<TimeBudget>(&budget)) return time->seconds;
   return static_cast<double>(std::get<SampleBudget>(budget).samples);

@@ -16,6 +16,8 @@ struct NamedBudget {
 
 // "0.25s,1s,4s".  Throws UsageError that says what is allowed.
 std::vector<NamedBudget> parse_budgets(std::string_view text);
+// However they are written.
+bool are_the_same(const std::vector<NamedBudget>& a, const std::vector<NamedBudget>& b);
 
 // Seconds, or samples: what adds up over runs.
 double effort_of(const Budget& budget);

@@ -70,17 +70,15 @@ double effort_of_paces(const Plan& plan) {
   return static_cast<double>(plan.entrants.size()) * effort_of(budget_of_a_pace(plan));
 }
 
-Forecast forecast(const Plan& plan, const Paces& paces) {
+Forecast forecast(const Plan& plan, const Paces& paces, const std::vector<Turn>& turns) {
   std::vector<std::string> budgets;
   for (const NamedBudget& budget : plan.budgets) budgets.push_back(budget.text);
-  Forecast result{.runs = plan.entrants.size() * plan.budgets.size() * plan.replicates,
-                  .budgets = fmt::format("{}", fmt::join(budgets, ", "))};
+  Forecast result{.runs = turns.size(), .budgets = fmt::format("{}", fmt::join(budgets, ", "))};
   for (std::size_t c = 0; c < plan.entrants.size(); ++c)
-    for (const NamedBudget& budget : plan.budgets) {
-      const double seconds = seconds_of(budget.budget, paces, c);
-      result.longest = std::max(result.longest, seconds);
-      result.of_runs += static_cast<double>(plan.replicates) * seconds;
-    }
+    for (const NamedBudget& budget : plan.budgets)
+      result.longest = std::max(result.longest, seconds_of(budget.budget, paces, c));
+  for (const Turn& turn : turns)
+    result.of_runs += seconds_of(plan.budgets[turn.budget].budget, paces, turn.contender);
   return result;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lab/compare/course.h"
-#include "lab/compare/measure.h"
+#include "lab/compare/make_runs.h"
 
 namespace wander::compare {
 
@@ -26,13 +26,14 @@ double effort_of_paces(const Plan& plan);  // of these small runs together (effo
 struct Forecast {
   std::size_t runs = 0;
   std::string budgets{};    // "0.25s, 1s, 4s"
-  double longest = 0;       // seconds of the longest run
+  double longest = 0;       // seconds of the longest run of the plan
   double of_runs = 0;       // seconds of all runs
   double of_reference = 0;  // seconds of what is still to be made of it
 
   double seconds() const { return of_runs + of_reference; }
 };
-Forecast forecast(const Plan& plan, const Paces& paces);
+// `turns`: those that are to come.
+Forecast forecast(const Plan& plan, const Paces& paces, const std::vector<Turn>& turns);
 
 // "48 runs of 0.25s, 1s, 4s, and a reference of about 60 s: about 3 min 10 s"
 std::string in_words(const Forecast& forecast);

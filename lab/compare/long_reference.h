@@ -16,7 +16,7 @@
 
 #include "core/description.h"
 #include "lab/compare/course.h"
-#include "lab/compare/measure.h"
+#include "lab/compare/make_runs.h"
 #include "lab/compare/reference_cache.h"
 #include "lab/compare/trial.h"
 

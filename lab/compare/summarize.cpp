@@ -29,8 +29,8 @@ std::vector<CellRuns> runs_of_cells(const Comparison& comparison) {
   return cells;
 }
 
-Measurements measure(const Comparison& comparison, const std::vector<CellRuns>& cells,
-                     const Yardstick& yardstick) {
+Measurements measurements_of(const Comparison& comparison, const std::vector<CellRuns>& cells,
+                             const Yardstick& yardstick) {
   Measurements all{comparison.runs.contenders.size(), comparison.runs.budgets.size(), {}};
   const Draws reference = draws_of_reference(yardstick.degrees);
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -83,7 +83,7 @@ Comparison summarize(Runs runs) {
   const Yardstick yardstick(result.runs.reference);
   for (const Run& run : result.runs.runs) result.errors.push_back(errors_of(run.film, yardstick));
   const std::vector<CellRuns> cells = runs_of_cells(result);
-  const Measurements all = measure(result, cells, yardstick);
+  const Measurements all = measurements_of(result, cells, yardstick);
   for (const MeasuredCell& cell : all.cells) result.cells.push_back(cell.cell);
   if (all.cells.empty()) return result;
   result.decisive = decisive_budget(all);

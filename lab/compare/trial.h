@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "lab/compare/course.h"
-#include "lab/compare/measure.h"
+#include "lab/compare/make_runs.h"
 #include "records/rendering.h"
 
 namespace wander::compare {

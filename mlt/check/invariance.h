@@ -162,7 +162,7 @@ class InvarianceTest {
       if (!(step.acceptance > 0)) return;
       ++tally.moved;
       measured = step.proposed;
-      measure(space_, measured);
+      weigh(space_, measured);
       const double flow = weight * step.acceptance * starts.clip(measured);
       tally.one_step.add(before, functions_.values(measured), flow);
       tally.flux.add(functions_.cell(step.current), functions_.cell(measured), flow);

@@ -73,7 +73,7 @@ class PathFunctions {
     return static_cast<std::size_t>(std::min(vertices, 5) - 2);
   }
   std::size_t film_stripe(const Path<W>& x, std::size_t stripes) const {
-    const double u = static_cast<double>(space_.film(x)[0]);
+    const double u = static_cast<double>(space_.film_position(x)[0]);
     return std::min(static_cast<std::size_t>(std::max(0.0, u) * static_cast<double>(stripes)),
                     stripes - 1);
   }

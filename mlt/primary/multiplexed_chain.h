@@ -26,13 +26,12 @@ class MultiplexedChain {
       throw SeedReplayError("a seed path could not be made again by its technique alone");
   }
 
-  double total() const { return chain_.current().total; }  // C = techniques · f / p̄
-  double techniques() const { return sampler_.techniques(); }
+  const MultiplexedPath<W>& current() const { return chain_.current(); }
 
-  // The proposal of the step under way, made of its numbers again in a space of another type.  Is
-  // it a whole path?
-  template <class OtherSpace>
-  bool propose_again(const OtherSpace& space) const {
+  // As of a chain in path space (chain.h), but from the numbers that the proposal was made of: the
+  // stream has nothing to add.
+  template <class OtherSpace, class Random>
+  bool propose_again(const OtherSpace& space, Path<W>&, Random&) const {
     const MultiplexedSampler<OtherSpace> sampler(space, sampler_.vertices());
     MultiplexedPath<W> y = sampler.make_sample();
     PrimarySource source(sampler.layout(),

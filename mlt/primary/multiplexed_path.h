@@ -56,7 +56,7 @@ class MultiplexedSampler {
     y.total = techniques() * weighted_contribution(space_, y.path, y.technique, all_techniques,
                                                    Heuristic::balance);
     if (y.total > 0) {
-      measure(space_, y.path);
+      weigh(space_, y.path);
       y.bin = space_.bin(y.path);
     } else {
       y.flaw = Reason::zero_contribution;

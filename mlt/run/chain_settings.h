@@ -16,6 +16,7 @@ struct ChainSettings {
   double seed_share = 0.25;  // of the seed pass: samples per mutation, seconds per second of chains
   std::uint64_t fewest_seeds = 1 << 15;  // samples, of all groups together
   NormalizationMethod normalization = NormalizationMethod::bridge;
+  FilmLayout film{};
 
   bool operator==(const ChainSettings&) const = default;
 };

@@ -2,29 +2,49 @@
 // deposits 1 - a at x and a at y, whatever was decided, so the deposits of n steps sum to n.
 #pragma once
 
+#include <array>
 #include <map>
 #include <vector>
 
 #include "core/film.h"
 #include "mlt/chain.h"
+#include "mlt/run/shared_films.h"
 
 namespace wander {
 
-// The deposits of one group of chains.
+// The deposits of one group of chains: its film, or of a large one a raster, while the pixels are in
+// a film that it shares with other groups.
 class GroupFilm {
  public:
-  GroupFilm(int bins, int max_vertices)
-      : weights_(static_cast<std::size_t>(bins)),
+  // A film in one dimension.
+  GroupFilm(int bins, int max_vertices) : GroupFilm(std::array{bins}, max_vertices, {}) {}
+  GroupFilm(std::span<const int> film, int max_vertices, const FilmLayout& layout)
+      : raster_(layout.raster(film)),
+        weights_(raster_.cells()),
         by_length_(static_cast<std::size_t>(max_vertices) - 1),
-        lengths_(bins, max_vertices) {}
+        lengths_(
+            static_cast<int>(raster_.cells()),
+            raster_.is_film() && layout.keeps_lengths(film, max_vertices) ? max_vertices - 1 : 0) {}
+
+  // Before the first deposit, of a large film: there a deposit counts so many times.
+  void share(SharedFilm& pixels, double factor) {
+    pixels_ = &pixels;
+    factor_ = factor;
+  }
 
   void add(int vertices, int bin, double weight) {
-    weights_[static_cast<std::size_t>(bin)] += weight;
+    const std::size_t cell = raster_.cell(bin);
+    weights_[cell] += weight;
     by_length_[static_cast<std::size_t>(vertices) - 2] += weight;
-    lengths_.add(vertices, bin, weight);
+    if (pixels_)
+      pixels_->add(vertices, bin, factor_ * weight);
+    else
+      lengths_.add(vertices, bin, weight);
   }
   double weight(std::size_t bin) const { return weights_[bin].value(); }
+  // Of the raster.
   std::size_t bins() const { return weights_.size(); }
+  const std::vector<int>& shape() const { return raster_.shape(); }
   // Of paths of n vertices over the whole film, at n - 2.
   const std::vector<Sum>& by_length() const { return by_length_; }
   const LengthFilms& lengths() const { return lengths_; }
@@ -35,8 +55,11 @@ class GroupFilm {
   }
 
  private:
+  Raster raster_;
   std::vector<Sum> weights_, by_length_;
   LengthFilms lengths_;
+  SharedFilm* pixels_ = nullptr;
+  double factor_ = 1;
 };
 
 // The only place where a step reaches a film.

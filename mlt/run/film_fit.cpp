@@ -16,7 +16,7 @@ using Film = std::vector<double>;
 
 // The variance of a residual may not be less than this part of the mean over the bins.
 constexpr double smallest_variance = 1e-3;
-constexpr std::size_t smoothing_radius = 2;  // bins
+constexpr int smoothing_radius = 2;  // bins
 
 // (I_j - b p_j) / σ_j with b = b_0 e^β, over all bins.
 class Residuals : public ceres::CostFunction {
@@ -68,8 +68,8 @@ constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
 class Films {
  public:
-  explicit Films(std::span<const FilmFitGroup> groups)
-      : groups_(groups), bins_(groups.front().found.size()), deposits_(bins_) {
+  Films(std::span<const FilmFitGroup> groups, std::span<const int> shape)
+      : groups_(groups), shape_(shape), bins_(groups.front().found.size()), deposits_(bins_) {
     for (std::size_t parity : {0u, 1u}) found_[parity].assign(bins_, 0);
     for (std::size_t g = 0; g < groups.size(); ++g) {
       samples_[g % 2] += groups[g].samples;
@@ -114,7 +114,7 @@ class Films {
         variance[j] += (value - mean[j]) * (value - mean[j]);
       }
     for (double& v : variance) v /= count * (count - 1);
-    return floored(smoothed(variance));
+    return floored(smoothed(variance, shape_));
   }
   // By the jackknife.
   Film variance_of_shape() const {
@@ -129,16 +129,6 @@ class Films {
   }
 
  private:
-  static Film smoothed(const Film& film) {
-    Film result(film.size());
-    for (std::size_t j = 0; j < film.size(); ++j) {
-      const std::size_t low = j - std::min(j, smoothing_radius);
-      const std::size_t high = std::min(film.size(), j + smoothing_radius + 1);
-      for (std::size_t i = low; i < high; ++i) result[j] += film[i];
-      result[j] /= static_cast<double>(high - low);
-    }
-    return result;
-  }
   static Film floored(Film film) {
     double mean = 0;
     for (const double v : film) mean += v / static_cast<double>(film.size());
@@ -147,6 +137,7 @@ class Films {
   }
 
   std::span<const FilmFitGroup> groups_;
+  std::span<const int> shape_;
   std::size_t bins_;
   std::array<Film, 2> found_;
   std::array<double, 2> samples_{};
@@ -205,15 +196,41 @@ class Half {
   double b_ = 0;
 };
 
+// The smoothing along one axis, of so many bins that lie `stride` apart: Σ instead of the mean.
+Film summed_along(const Film& film, int extent, std::size_t stride) {
+  Film sums(film.size());
+  for (std::size_t j = 0; j < film.size(); ++j) {
+    const int at = static_cast<int>(j / stride % static_cast<std::size_t>(extent));
+    const int low = std::max(0, at - smoothing_radius);
+    const int high = std::min(extent - 1, at + smoothing_radius);
+    const std::size_t begin = j - static_cast<std::size_t>(at - low) * stride;
+    for (int i = low; i <= high; ++i)
+      sums[j] += film[begin + static_cast<std::size_t>(i - low) * stride];
+  }
+  return sums;
+}
+
 }  // namespace
 
-FilmFit fit_films(std::span<const FilmFitGroup> groups) {
+Film smoothed(const Film& film, std::span<const int> shape) {
+  Film sums = film, counts(film.size(), 1.0);
+  std::size_t stride = 1;
+  for (std::size_t axis = shape.size(); axis-- > 0;) {
+    sums = summed_along(sums, shape[axis], stride);
+    counts = summed_along(counts, shape[axis], stride);
+    stride *= static_cast<std::size_t>(shape[axis]);
+  }
+  for (std::size_t j = 0; j < sums.size(); ++j) sums[j] /= counts[j];
+  return sums;
+}
+
+FilmFit fit_films(std::span<const FilmFitGroup> groups, std::span<const int> shape) {
   FilmFit fit;
   if (groups.size() < 4 || groups.front().found.size() < 2) {
     fit.failure = "it needs four groups and two bins";
     return fit;
   }
-  const Films films(groups);
+  const Films films(groups, shape);
   const Film shape_variance = films.variance_of_shape();
   Half even(films, 0, shape_variance), odd(films, 1, shape_variance);
   const auto first = even.fit(), second = odd.fit();

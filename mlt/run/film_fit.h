@@ -3,7 +3,7 @@
 //
 // Sound where the obvious fits are not:
 // - weights do not come from the data that they weigh: the groups are split into halves, and one
-//   half's spread, smoothed over neighbouring bins, weighs the other's film;
+//   half's spread, smoothed over bins that lie side by side, weighs the other's film;
 // - p has errors of its own: the variance of a residual is v_j + b0² Var p_j [effective variance;
 //   Orear 1982], with b0 the iterate before;
 // - the interval is a delete-a-group jackknife in which a group takes its slice of the seed pass and
@@ -32,7 +32,10 @@ struct FilmFit {
   std::string failure;          // why there is no b; empty if there is
 };
 
-// By Ceres; needs two groups in each half, and two bins.
-FilmFit fit_films(std::span<const FilmFitGroup> groups);
+// By Ceres; needs two groups in each half, and two bins.  `shape` of the films: fastest axis last.
+FilmFit fit_films(std::span<const FilmFitGroup> groups, std::span<const int> shape);
+
+// The mean over the bins of a film that lie at most two away along each axis.
+std::vector<double> smoothed(const std::vector<double>& film, std::span<const int> shape);
 
 }  // namespace wander

@@ -1,109 +1,164 @@
-// A group of chains: its slice of the seed pass, its chains, and what they deposit.  Groups share
+// A group of chains with all that watches them: a film, statistics, and draws.  Groups share
 // nothing; they are the unit of parallel work, and their spread is the error bar.
 //
-// The constants of a group are those of its own slice: seeds and constants from one slice make the
-// film unbiased for chains of any length (seed_pass.h).  How much a group does must not depend on
-// that slice, or the product of the two is biased.
+// How much a group does must not depend on its slice of the seed pass, or the product of its
+// constant and what its chains deposit is biased.
 //
 // A group is a value that goes on: serialize_seeds(archive), and once its chains have started
 // serialize_chains(archive), are its whole state.
 #pragma once
 
-#include <concepts>
+#include <optional>
+#include <utility>
 
 #include "mlt/run/deposit.h"
 #include "mlt/run/group_findings.h"
+#include "mlt/run/seeded_chains.h"
 #include "mlt/watch/functionals.h"
 #include "mlt/watch/statistics.h"
 
 namespace wander {
 
 template <class G>
-concept Group = requires(G& group, const G& made, std::uint64_t count, const SeedTally& others,
-                         GroupsFilm& film, MutationStatistics& statistics, ChainDraws& draws) {
-  group.add_seeds(count);
-  { made.tally() } -> std::same_as<const SeedTally&>;
-  // After the seed pass: of the chains for which there are seeds, only so many run.
-  group.keep_chains(1);
-  // After that; `others`: what all other groups found.
-  group.start_chains(others);
-  // Can steps add anything to the film?
-  { made.takes_steps() } -> std::same_as<bool>;
+concept Group = ChainSource<G> &&
+    requires(G& group, const G& made, std::uint64_t count, GroupsFilm& film,
+             MutationStatistics& statistics, ChainDraws& draws, SharedFilm& pixels) {
+  group.share(pixels, 1.0);
+  { made.light_of_deposits() } -> std::same_as<double>;
   group.advance(count);  // makes so many more steps, of all chains together
   { made.steps() } -> std::same_as<std::uint64_t>;
-  { made.chains() } -> std::same_as<int>;
   made.deliver(film, statistics, draws);
   { made.findings() } -> std::same_as<GroupFindings>;
-  G::move_names();  // of what its statistics count
 };
 
-// What all groups have in common.
-template <class Space, class Seeds>
-class SeededGroup {
+// `Chains` are the SeededChains of a method, who also say what its steps deposit, and what
+// statistics see in them.
+template <ChainSource Chains>
+class ChainGroup {
  public:
-  void add_seeds(std::uint64_t count) { slice_.run(count); }
-  const SeedTally& tally() const { return slice_.tally(); }
+  using Space = typename Chains::Space;
+  using Kernel = typename Chains::Kernel;
+
+  ChainGroup(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains,
+             const FilmLayout& layout = {})
+      : source_(space, kernel, seed, group, chains, layout),
+        film_(space.scene().resolution(), space.max_vertices(), layout),
+        states_(source_.evidence().ratios.size()),
+        statistics_(move_names(), layout.maps_of(space.scene().resolution()),
+                    space.max_vertices()) {}
+
+  static constexpr std::span<const std::string_view> move_names() { return Chains::move_names(); }
+  void add_seeds(std::uint64_t count) { source_.add_seeds(count); }
+  const SeedTally& tally() const { return source_.tally(); }
+  void keep_chains(int most) { source_.keep_chains(most); }
+  bool takes_steps() const { return source_.takes_steps(); }
+  int chains() const { return source_.chains(); }
   std::uint64_t steps() const { return steps_; }
+
+  void start_chains(const SeedTally& others) {
+    source_.start_chains(others);
+    if (!takes_steps()) return;
+    expect_states();
+    turns_ = source_.turns();
+    members_.reserve(static_cast<std::size_t>(chains()));
+    if (Chains::has_comparable_chains) draws_.resize(static_cast<std::size_t>(chains()));
+    for (int k = 0; k < chains(); ++k) {
+      auto chain = source_.chain(k);
+      const Features start = source_.features_of(chain.chain.current());
+      members_.push_back({std::move(chain), start, RejectionRuns(move_names().size())});
+    }
+  }
+
+  void advance(std::uint64_t steps) {
+    turns_->take(steps, [this](std::size_t k) { step(k); });
+    steps_ += steps;
+  }
+
+  // Of a large film, once the chains have started: where the pixels of what they deposit go.
+  void share(SharedFilm& pixels, double factor) { film_.share(pixels, factor); }
+  // What its deposits, over the number of its steps, have to be multiplied by to be light.
+  double light_of_deposits() const {
+    return Chains::deposits == Deposits::shares ? tally().mean() : 1;
+  }
+
+  void deliver(GroupsFilm& film, MutationStatistics& statistics, ChainDraws& draws) const {
+    if (steps_ == 0) return film.add_dark_group();
+    film.add(film_, light_of_deposits(), steps_);
+    statistics.merge(statistics_);
+    if (!source_.found_light()) return;  // draws of chains that began in the dark are of nothing
+    for (const ThinnedDraws& chain : draws_) draws.add(chain);
+  }
+
+  GroupFindings findings() const {
+    const double scale = steps_ > 0 ? light_of_deposits() / static_cast<double>(steps_) : 0;
+    GroupFindings found{&tally(), &source_.evidence(), &film_, scale};
+    for (std::size_t k = 0; k < states_.size(); ++k) {
+      const double count = states_[k].count();
+      found.states.push_back(
+          {&states_[k], count > 0 ? Chains::Seeds::light(tally(), k) / count : 0});
+    }
+    if (Chains::deposits == Deposits::shares)
+      for (const auto& visits : statistics_.visits())
+        found.classes.push_back({visits.path_class, scale * static_cast<double>(visits.steps)});
+    return found;
+  }
 
   // Between two samples of the seed pass, or after it.
   template <class Archive>
   void serialize_seeds(Archive& archive) {
-    archive(slice_);
+    archive(source_);
   }
-
- protected:
-  SeededGroup(const Space& space, std::uint64_t seed, int group, int seeds,
-              std::span<const std::string_view> moves)
-      : space_(space),
-        slice_(space, seed, group, seeds),
-        film_(space.scene().bins(), space.max_vertices()),
-        states_(slice_.evidence().ratios.size()),
-        statistics_(moves, space.scene().bins(), space.max_vertices()) {}
-
   // Between two steps.  What follows from the slices is left out: start_chains() makes it again.
   template <class Archive>
-  void serialize_steps(Archive& archive) {
+  void serialize_chains(Archive& archive) {
     archive(steps_, film_, states_, statistics_);
+    if (turns_) archive(*turns_);
+    for (Member& member : members_) archive(member.chain, member.current, member.runs);
+    for (ThinnedDraws& chain : draws_) archive(chain);
   }
 
-  // Before the first step: keep_state() does not allocate.
+ private:
+  struct Member {
+    RunningChain<typename Chains::Chain> chain;
+    Features current;  // of its state
+    RejectionRuns runs;
+  };
+
+  void step(std::size_t k) {
+    Member& member = members_[k];
+    statistics_.timed(member.chain.steps, [&] {
+      int mutation = 0;
+      member.chain.step([&](const auto& step) {
+        source_.deposit(static_cast<int>(k), step, member.current, film_);
+        const Observation seen = source_.observation(step, member.current);
+        statistics_.observe(seen, member.runs);
+        if (step.accepted()) member.current = source_.features_of(step.proposed);
+        mutation = seen.mutation;
+      });
+      return mutation;
+    });
+    // In a group that found no light there is nothing to compare states with.
+    if (!source_.found_light() || member.current.is_dark()) return;
+    const auto& state = member.chain.chain.current();
+    states_[Chains::stratum(static_cast<int>(k))].add_within(source_.ratio(state));
+    if constexpr (Chains::has_comparable_chains)
+      draws_[k].offer([&] { return source_.functionals_of(state); });
+  }
+
+  // Before the first step, so that none allocates.
   void expect_states() {
     constexpr int octaves = 24;  // beyond which a state tells the bridge nothing new
     for (std::size_t k = 0; k < states_.size(); ++k)
-      states_[k].make_room(slice_.evidence().ratios[k], octaves);
-  }
-  // The state of a chain after each step: its f / p̄.
-  void keep_state(std::size_t stratum, double ratio) { states_[stratum].add_within(ratio); }
-
-  // All but the classes.  `scale` is that of the film; light(k) what the slice found in stratum k,
-  // which all states of that stratum together stand for.
-  template <class Light>
-  GroupFindings findings_of(double scale, Light&& light) const {
-    GroupFindings found{&slice_.tally(), &slice_.evidence(), &film_, scale};
-    for (std::size_t k = 0; k < states_.size(); ++k) {
-      const double count = states_[k].count();
-      found.states.push_back({&states_[k], count > 0 ? light(k) / count : 0});
-    }
-    return found;
+      states_[k].make_room(source_.evidence().ratios[k], octaves);
   }
 
-  // step(k) for chain k, so often that the steps are shared evenly by `chains` of them.
-  template <class Step>
-  void share_evenly(std::uint64_t steps, std::uint64_t chains, Step&& step) {
-    const std::uint64_t target = steps_ + steps;
-    const auto share = [chains](std::uint64_t total, std::uint64_t k) {
-      return total / chains + (k < total % chains ? 1 : 0);
-    };
-    for (std::uint64_t k = 0; k < chains; ++k)
-      for (std::uint64_t i = share(steps_, k); i < share(target, k); ++i) step(k);
-    steps_ = target;
-  }
-
-  const Space& space_;
-  SeedSlice<Space, Seeds> slice_;
+  Chains source_;
   GroupFilm film_;
-  std::vector<RatioHistogram> states_;  // by stratum
+  std::vector<RatioHistogram> states_;  // by stratum: f / p̄ of the state after each step
   MutationStatistics statistics_;
+  std::optional<typename Chains::Turns> turns_;  // once the chains have started
+  std::vector<Member> members_;                  // by chain
+  std::vector<ThinnedDraws> draws_;              // by chain; empty where chains cannot be compared
   std::uint64_t steps_ = 0;
 };
 

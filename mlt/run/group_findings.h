@@ -2,6 +2,7 @@
 // are made of.  Groups are independent of each other.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "mlt/run/deposit.h"
@@ -26,9 +27,32 @@ struct GroupFindings {
   const SeedTally* seeds;
   const SeedEvidence* evidence;
   const GroupFilm* film;
-  double scale;  // makes of deposits an estimate of the light that falls on a bin
+  double scale;  // makes of deposits an estimate of the light that falls on a bin, times `weight`
   std::vector<StateRatios> states{};
   std::vector<ClassLight> classes{};  // empty where states have no class
+  // How much it counts among groups that have done more or less than it.  It must not depend on
+  // what the group found, or products of seeds and constants are biased.
+  double weight = 1;
+
+  GroupFindings weighing(double w) const;
+};
+std::vector<double> weights_of(std::span<const GroupFindings> groups);
+
+// A copy of what a group found, for when the group is gone.
+class KeptFindings {
+ public:
+  explicit KeptFindings(const GroupFindings& found);
+  KeptFindings(const KeptFindings&) = delete;
+  KeptFindings& operator=(const KeptFindings&) = delete;
+
+  const GroupFindings& found() const { return found_; }
+
+ private:
+  SeedTally seeds_;
+  SeedEvidence evidence_;
+  GroupFilm film_;
+  std::vector<RatioHistogram> states_;
+  GroupFindings found_;  // of the members above
 };
 
 }  // namespace wander

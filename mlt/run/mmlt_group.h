@@ -1,5 +1,5 @@
-// A group of chains of MMLT [Hachisuka, Kaplanyan and Dachsbacher 2014]: one chain for each length
-// of paths, with a seed and a constant b_{g,n} of its own, both from the group's slice.
+// Chains of MMLT [Hachisuka, Kaplanyan and Dachsbacher 2014]: a group has one for each length of
+// paths, with a seed and a constant b_{g,n} of its own, both from the group's slice.
 //
 // Each step goes to one length: step j to the one in whose interval of the pmf q the number
 // U + j φ mod 1 lies, with U uniform and φ the golden ratio.  Then the steps of length n are q_n N
@@ -34,6 +34,11 @@ class LengthSequence {
   LengthSequence(std::vector<double> shares, double first)
       : shares_(std::move(shares)), place_(static_cast<std::uint64_t>(first * 0x1p64)) {}
 
+  // step(n - 2), so many times.
+  template <class Step>
+  void take(std::uint64_t steps, Step&& step) {
+    for (std::uint64_t i = 0; i < steps; ++i) step(next());
+  }
   // n - 2
   std::size_t next() {
     double u = static_cast<double>(place_ >> 11) * 0x1p-53;
@@ -42,7 +47,6 @@ class LengthSequence {
     while (k + 1 < shares_.size() && u >= shares_[k]) u -= shares_[k++];
     return k;
   }
-  double share(std::size_t k) const { return shares_[k]; }
 
   // Where it stands; the shares are those that it was made with.
   template <class Archive>
@@ -56,13 +60,18 @@ class LengthSequence {
 };
 
 template <class Space, class SmallStep, class Estimator>
-class MmltGroup : public SeededGroup<Space, LengthSeeds> {
+class MmltChains : public SeededChains<Space, LengthSeeds> {
  public:
   using W = typename Space::Universe;
   using Kernel = PrimaryKernel<SmallStep>;
+  using Chain = MultiplexedChain<Space, SmallStep>;
+  using Turns = LengthSequence;
+  static constexpr Deposits deposits = Deposits::light;
+  static constexpr bool has_comparable_chains = false;  // each has a length of its own
 
-  MmltGroup(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int)
-      : SeededGroup<Space, LengthSeeds>(space, seed, group, space.max_vertices() - 1, move_names()),
+  MmltChains(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int,
+             const FilmLayout& layout = {})
+      : SeededChains<Space, LengthSeeds>(space, seed, group, space.max_vertices() - 1, layout),
         kernel_(kernel),
         numbers_(seed, group, chains()) {}
 
@@ -70,97 +79,61 @@ class MmltGroup : public SeededGroup<Space, LengthSeeds> {
   bool takes_steps() const { return slice_.found_light() || !Estimator::needs_seed; }
   int chains() const { return space_.max_vertices() - 1; }
   void keep_chains(int) {}  // it has one for each length
-
   void start_chains(const SeedTally& others) {
-    if (!takes_steps()) return;
-    this->expect_states();
-    lengths_ = LengthSequence(shares_of_steps(others), numbers_.first_length());
-    for (int k = 0; k < chains(); ++k) {
-      const int n = k + 2;
-      const double scale = 1 / lengths_.share(static_cast<std::size_t>(k));
-      chains_.push_back({MultiplexedChain<Space, SmallStep>(space_, kernel_, n),
-                         numbers_.chain(k),
-                         RejectionRuns(primary_move_names.size()),
-                         0,
-                         {this->tally().mean(n), others.mean(n), kernel_.large_step},
-                         scale,
-                         static_cast<std::size_t>(k)});
-      const Seed& seed = slice_.seed(k);
-      if (seed.weight > 0) chains_.back().chain.start(slice_, seed, numbers_.place(k));
-    }
+    shares_ = shares_of_steps(others);
+    for (int n = 2; n <= space_.max_vertices(); ++n)
+      lengths_.push_back({{this->tally().mean(n), others.mean(n), kernel_.large_step},
+                          1 / shares_[static_cast<std::size_t>(n) - 2]});
   }
 
-  void advance(std::uint64_t steps) {
-    for (std::uint64_t i = 0; i < steps; ++i) step(chains_[lengths_.next()]);
-    steps_ += steps;
+  static std::size_t stratum(int k) { return static_cast<std::size_t>(k); }
+  bool has_seed(int k) const { return slice_.seed(k).weight > 0; }
+  // Of paths of k + 2 vertices, as it starts.
+  RunningChain<Chain> chain(int k) {
+    Chain chain(space_, kernel_, k + 2);
+    if (has_seed(k)) chain.start(slice_, slice_.seed(k), numbers_.place(k));
+    return {std::move(chain), numbers_.chain(k)};
   }
+  Turns turns() const { return Turns(shares_, numbers_.first_length()); }
 
-  // Its chains have nothing in common that could be compared: each has a length of its own.
-  void deliver(GroupsFilm& film, MutationStatistics& statistics, ChainDraws&) const {
-    if (steps_ == 0) return film.add_dark_group();
-    film.add(film_, 1, steps_);
-    statistics.merge(statistics_);
+  // ---- for those who watch
+
+  void deposit(int k, const PrimaryStep<MultiplexedPath<W>>& step, const Features&,
+               GroupFilm& film) const {
+    const Length& length = lengths_[static_cast<std::size_t>(k)];
+    PrimaryDeposit weights = Estimator::deposit(step, length.constants);
+    weights.current *= length.scale;
+    weights.proposed *= length.scale;
+    wander::deposit(step, weights, film);
   }
-
-  GroupFindings findings() const {
-    const double scale = steps_ > 0 ? 1 / static_cast<double>(steps_) : 0;
-    return this->findings_of(
-        scale, [&](std::size_t k) { return this->tally().mean(static_cast<int>(k) + 2); });
-  }
-
-  // Into a group whose chains have started from the same slices.
-  template <class Archive>
-  void serialize_chains(Archive& archive) {
-    this->serialize_steps(archive);
-    archive(lengths_);
-    for (Member& member : chains_) archive(member.chain, member.runs, member.steps);
-  }
-
- private:
-  using Base = SeededGroup<Space, LengthSeeds>;
-  using Base::film_;
-  using Base::slice_;
-  using Base::space_;
-  using Base::statistics_;
-  using Base::steps_;
-
-  struct Member {
-    MultiplexedChain<Space, SmallStep> chain;
-    Rng random;
-    RejectionRuns runs;
-    std::uint64_t steps;
-    PrimaryConstants constants;
-    double scale;  // 1 / q_n
-    std::size_t stratum;
-  };
-
-  void step(Member& member) {
-    member.random.start(member.steps);
-    statistics_.timed(member.steps++, [&] {
-      int move = 0;
-      member.chain.step(member.random, [&](const PrimaryStep<MultiplexedPath<W>>& step) {
-        PrimaryDeposit weights = Estimator::deposit(step, member.constants);
-        weights.current *= member.scale;
-        weights.proposed *= member.scale;
-        deposit(step, weights, film_);
-        statistics_.observe(
-            primary_observation(step, features_of(step.current), features_of(step.proposed)),
-            member.runs);
-        move = step.mutation();
-      });
-      return move;
-    });
-    const double total = member.chain.total();
-    if (total > 0) this->keep_state(member.stratum, total / member.chain.techniques());
+  Observation observation(const PrimaryStep<MultiplexedPath<W>>& step,
+                          const Features& current) const {
+    return primary_observation(step, current, features_of(step.proposed));
   }
   Features features_of(const MultiplexedPath<W>& sample) const {
     return sample.total > 0 ? features(space_, sample.path) : Features{};
   }
+  double ratio(const MultiplexedPath<W>& sample) const {
+    return sample.total / technique_count(space_, sample.path.size());
+  }
+
+ private:
+  using Base = SeededChains<Space, LengthSeeds>;
+  using Base::slice_;
+  using Base::space_;
+
+  struct Length {
+    PrimaryConstants constants;  // b_{g,n}
+    double scale;                // 1 / q_n
+  };
 
   Kernel kernel_;
   LengthNumbers numbers_;
-  LengthSequence lengths_{{}, 0};
-  std::vector<Member> chains_;
+  std::vector<double> shares_;   // q_n at n - 2
+  std::vector<Length> lengths_;  // of n vertices at n - 2
 };
+
+template <class Space, class SmallStep, class Estimator>
+using MmltGroup = ChainGroup<MmltChains<Space, SmallStep, Estimator>>;
 
 }  // namespace wander

@@ -57,9 +57,9 @@ Constant from_least_squares(std::span<const GroupFindings> groups) {
     for (std::size_t bin = 0; bin < group.film->bins(); ++bin)
       film.deposits.push_back(group.scale * group.film->weight(bin));
   }
-  FilmFit fit = fit_films(films);
+  FilmFit fit = fit_films(films, groups.front().film->shape());
   if (!fit.failure.empty()) return {.failure = fit.failure};
-  Constant constant{.b = {fit.b, jackknife_error(fit.without)},
+  Constant constant{.b = {fit.b, jackknife_error(fit.without, weights_of(groups))},
                     .without = std::move(fit.without),
                     .effective_samples = merged(groups).effective_samples()};
   constant.degrees_of_freedom = degrees_of(constant);
@@ -85,7 +85,7 @@ Constant from_bridge(std::span<const GroupFindings> groups) {
     constant.effective_samples += fit.effective_samples;
     for (std::size_t g = 0; g < groups.size(); ++g) constant.without[g] += fit.without[g];
   }
-  constant.b.standard_error = jackknife_error(constant.without);
+  constant.b.standard_error = jackknife_error(constant.without, weights_of(groups));
   constant.degrees_of_freedom = degrees_of(constant);
   return constant;
 }
@@ -105,7 +105,7 @@ std::vector<LengthShare> shares_of_lengths(std::span<const GroupFindings> groups
     light.push_back(values(group.film->by_length()));
     for (double& value : light.back()) value *= group.scale;
   }
-  const RatioJackknife film(light);
+  const RatioJackknife film(light, weights_of(groups));
   std::vector<LengthShare> shares;
   for (std::size_t k = 0; k < light.front().size(); ++k) {
     if (film.value(k) == 0) continue;

@@ -41,7 +41,7 @@ std::map<int, std::vector<double>> by_length(std::span<const GroupFindings> grou
 FilmEstimate normalized_film(std::span<const GroupFindings> groups, const Constant& constant,
                              std::vector<int> shape) {
   const std::vector<std::vector<double>> films = films_of(groups);
-  const RatioJackknife jackknife(films);
+  const RatioJackknife jackknife(films, weights_of(groups));
   const auto bins = static_cast<double>(films.front().size());
   const auto lit = std::ranges::count_if(groups, [](const auto& g) { return g.scale > 0; });
   FilmEstimate film{.shape = std::move(shape)};

@@ -1,4 +1,4 @@
-// A group of chains in path space: expected values of steps of one kernel, scaled by b_g.
+// Chains in path space: expected values of steps of one kernel, scaled by b_g.
 #pragma once
 
 #include "mlt/chain.h"
@@ -6,13 +6,19 @@
 
 namespace wander {
 
-template <class Space, class Kernel>
-class PathGroup : public SeededGroup<Space, PathSeeds> {
+template <class Space, class K>
+class PathChains : public SeededChains<Space, PathSeeds> {
  public:
   using W = typename Space::Universe;
+  using Kernel = K;
+  using Chain = wander::Chain<Space, Kernel>;
+  using Turns = EvenTurns;
+  static constexpr Deposits deposits = Deposits::shares;
+  static constexpr bool has_comparable_chains = true;
 
-  PathGroup(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains)
-      : SeededGroup<Space, PathSeeds>(space, seed, group, chains, Kernel::names),
+  PathChains(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains,
+             const FilmLayout& layout = {})
+      : SeededChains<Space, PathSeeds>(space, seed, group, chains, layout),
         kernel_(kernel),
         seed_(seed),
         first_chain_(group * chains),
@@ -22,84 +28,40 @@ class PathGroup : public SeededGroup<Space, PathSeeds> {
   bool takes_steps() const { return slice_.found_light(); }
   int chains() const { return chain_count_; }
   void keep_chains(int most) { chain_count_ = std::min(chain_count_, most); }
+  void start_chains(const SeedTally& others) { kernel_.learn(others); }
 
-  void start_chains(const SeedTally& others) {
-    if (!slice_.found_light()) return;
-    this->expect_states();
-    kernel_.learn(others);
-    for (int k = 0; k < chain_count_; ++k) {
-      const Path<W> path = slice_.replay(slice_.seed(k), space_.max_vertices());
-      chains_.push_back({Chain<Space, Kernel>(space_, kernel_, path),
-                         Rng(seed_, Purpose::chain, static_cast<std::uint32_t>(first_chain_ + k)),
-                         features(space_, path), RejectionRuns(Kernel::count)});
-    }
+  static std::size_t stratum(int) { return 0; }
+  bool has_seed(int) const { return slice_.found_light(); }
+  // As it starts.
+  RunningChain<Chain> chain(int k) {
+    return {Chain(space_, kernel_, slice_.replay(slice_.seed(k), space_.max_vertices())),
+            Rng(seed_, Purpose::chain, static_cast<std::uint32_t>(first_chain_ + k))};
   }
+  Turns turns() const { return Turns(chain_count_); }
 
-  void advance(std::uint64_t steps) {
-    this->share_evenly(steps, chains_.size(), [&](std::uint64_t k) { step(chains_[k]); });
-  }
+  // ---- for those who watch
 
-  void deliver(GroupsFilm& film, MutationStatistics& statistics, ChainDraws& draws) const {
-    if (steps_ == 0) return film.add_dark_group();
-    film.add(film_, this->tally().mean(), steps_);
-    statistics.merge(statistics_);
-    for (const Member& member : chains_) draws.add(member.draws);
+  void deposit(int, const Step<W>& step, const Features& current, GroupFilm& film) const {
+    wander::deposit(space_, step, current.bin, film);
   }
-
-  GroupFindings findings() const {
-    const double scale = steps_ > 0 ? this->tally().mean() / static_cast<double>(steps_) : 0;
-    auto found = this->findings_of(scale, [&](std::size_t) { return this->tally().mean(); });
-    for (const auto& visits : statistics_.visits())
-      found.classes.push_back({visits.path_class, scale * static_cast<double>(visits.steps)});
-    return found;
+  Observation observation(const Step<W>& step, const Features& current) const {
+    return wander::observation(space_, step, current);
   }
-
-  // Into a group whose chains have started from the same slices.
-  template <class Archive>
-  void serialize_chains(Archive& archive) {
-    this->serialize_steps(archive);
-    for (Member& member : chains_)
-      archive(member.chain, member.current, member.runs, member.draws, member.steps);
-  }
+  Features features_of(const Path<W>& x) const { return features(space_, x); }
+  double ratio(const Path<W>& x) const { return (x.contribution / x.intensity).value(); }
+  Functionals functionals_of(const Path<W>& x) const { return functionals(space_, x); }
 
  private:
-  using Base = SeededGroup<Space, PathSeeds>;
-  using Base::film_;
+  using Base = SeededChains<Space, PathSeeds>;
   using Base::slice_;
   using Base::space_;
-  using Base::statistics_;
-  using Base::steps_;
-
-  struct Member {
-    Chain<Space, Kernel> chain;
-    Rng random;
-    Features current;
-    RejectionRuns runs;
-    ThinnedDraws draws{};
-    std::uint64_t steps = 0;
-  };
-
-  void step(Member& member) {
-    member.random.start(member.steps);
-    statistics_.timed(member.steps++, [&] {
-      int mutation = 0;
-      member.chain.step(member.random, [&](const Step<W>& step) {
-        deposit(space_, step, member.current.bin, film_);
-        statistics_.observe(observation(space_, step, member.current), member.runs);
-        if (step.accepted()) member.current = features(space_, step.proposed);
-        mutation = step.mutation;
-      });
-      return mutation;
-    });
-    const Path<W>& state = member.chain.current();
-    this->keep_state(0, (state.contribution / state.intensity).value());
-    member.draws.offer([&] { return functionals(space_, state); });
-  }
 
   Kernel kernel_;
   std::uint64_t seed_;
   int first_chain_, chain_count_;
-  std::vector<Member> chains_;
 };
+
+template <class Space, class Kernel>
+using PathGroup = ChainGroup<PathChains<Space, Kernel>>;
 
 }  // namespace wander

@@ -1,6 +1,8 @@
-// A group of chains of PSSMLT [Kelemen et al. 2002]: the state is a whole bidirectional sample, the
-// seeds are samples of the slice in proportion to C*, and b_g is the mean of C* over the slice.
+// Chains of PSSMLT [Kelemen et al. 2002]: the state is a whole bidirectional sample, the seeds are
+// samples of the slice in proportion to C*, and b_g is the mean of C* over the slice.
 #pragma once
+
+#include <cmath>
 
 #include "mlt/primary/primary_estimator.h"
 #include "mlt/primary/sample_splats.h"
@@ -8,14 +10,53 @@
 
 namespace wander {
 
-template <class Space, class SmallStep, class Estimator>
-class PssmltGroup : public SeededGroup<Space, SampleSeeds> {
+// A chain of whole samples, made by a sampler that it shares with others of its group.
+template <class Space, class SmallStep>
+class SampleChain {
  public:
-  using W = typename Space::Universe;
-  using Kernel = PrimaryKernel<SmallStep>;
+  using Sampler = SplatSampler<Space>;
 
-  PssmltGroup(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains)
-      : SeededGroup<Space, SampleSeeds>(space, seed, group, chains, move_names()),
+  // Starts in the dark.
+  SampleChain(Sampler& sampler, const PrimaryKernel<SmallStep>& kernel)
+      : sampler_(&sampler), chain_(sampler, kernel) {}
+
+  // Starts at the sample of a seed, whose total must come out as it was, bit for bit.
+  void start(SeedSlice<Space, SampleSeeds>& slice, const Seed& seed) {
+    if (!chain_.start(*sampler_, slice.numbers(seed, sampler_->layout())) ||
+        current().total != seed.weight)
+      throw SeedReplayError("a seed sample could not be replayed from its random numbers");
+  }
+
+  const SampleSplats& current() const { return chain_.current(); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(chain_);
+  }
+
+  // The observer gets a PrimaryStep of SampleSplats.
+  template <class Random, class Observer>
+  void step(Random& random, Observer&& observe) {
+    chain_.step(*sampler_, random, observe);
+  }
+
+ private:
+  Sampler* sampler_;
+  PrimaryChain<Sampler, SmallStep> chain_;
+};
+
+template <class Space, class SmallStep, class Estimator>
+class PssmltChains : public SeededChains<Space, SampleSeeds> {
+ public:
+  using Kernel = PrimaryKernel<SmallStep>;
+  using Chain = SampleChain<Space, SmallStep>;
+  using Turns = EvenTurns;
+  static constexpr Deposits deposits = Deposits::light;
+  static constexpr bool has_comparable_chains = true;
+
+  PssmltChains(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains,
+               const FilmLayout& layout = {})
+      : SeededChains<Space, SampleSeeds>(space, seed, group, chains, layout),
         kernel_(kernel),
         sampler_(space),
         seed_(seed),
@@ -26,90 +67,46 @@ class PssmltGroup : public SeededGroup<Space, SampleSeeds> {
   bool takes_steps() const { return slice_.found_light() || !Estimator::needs_seed; }
   int chains() const { return chain_count_; }
   void keep_chains(int most) { chain_count_ = std::min(chain_count_, most); }
-
   void start_chains(const SeedTally& others) {
     constants_ = {this->tally().mean(), others.mean(), kernel_.large_step};
-    if (!takes_steps()) return;
-    this->expect_states();
-    for (int k = 0; k < chain_count_; ++k) {
-      chains_.push_back({PrimaryChain<SplatSampler<Space>, SmallStep>(sampler_, kernel_),
-                         Rng(seed_, Purpose::chain, static_cast<std::uint32_t>(first_chain_ + k)),
-                         RejectionRuns(primary_move_names.size())});
-      if (slice_.found_light()) start(chains_.back(), slice_.seed(k));
-    }
   }
 
-  void advance(std::uint64_t steps) {
-    this->share_evenly(steps, chains_.size(), [&](std::uint64_t k) { step(chains_[k]); });
+  static std::size_t stratum(int) { return 0; }
+  // As it starts.
+  RunningChain<Chain> chain(int k) {
+    Chain chain(sampler_, kernel_);
+    if (slice_.found_light()) chain.start(slice_, slice_.seed(k));
+    return {std::move(chain),
+            Rng(seed_, Purpose::chain, static_cast<std::uint32_t>(first_chain_ + k))};
   }
+  Turns turns() const { return Turns(chain_count_); }
 
-  void deliver(GroupsFilm& film, MutationStatistics& statistics, ChainDraws& draws) const {
-    if (steps_ == 0) return film.add_dark_group();
-    film.add(film_, 1, steps_);
-    statistics.merge(statistics_);
-    if (!slice_.found_light()) return;  // chains that began in the dark have draws of nothing
-    for (const Member& member : chains_) draws.add(member.draws);
+  // ---- for those who watch
+
+  void deposit(int, const PrimaryStep<SampleSplats>& step, const Features&, GroupFilm& film) const {
+    wander::deposit(step, Estimator::deposit(step, constants_), film);
   }
-
-  GroupFindings findings() const {
-    const double scale = steps_ > 0 ? 1 / static_cast<double>(steps_) : 0;
-    return this->findings_of(scale, [&](std::size_t) { return this->tally().mean(); });
+  Observation observation(const PrimaryStep<SampleSplats>& step, const Features& current) const {
+    return primary_observation(step, current, features_of(step.proposed));
   }
-
-  // Into a group whose chains have started from the same slices.
-  template <class Archive>
-  void serialize_chains(Archive& archive) {
-    this->serialize_steps(archive);
-    for (Member& member : chains_) archive(member.chain, member.runs, member.draws, member.steps);
+  Features features_of(const SampleSplats& sample) const { return sample.brightest(); }
+  double ratio(const SampleSplats& sample) const { return sample.total; }
+  Functionals functionals_of(const SampleSplats& sample) const {
+    return functionals(features_of(sample), std::log(sample.total));
   }
 
  private:
-  using Base = SeededGroup<Space, SampleSeeds>;
-  using Base::film_;
+  using Base = SeededChains<Space, SampleSeeds>;
   using Base::slice_;
-  using Base::statistics_;
-  using Base::steps_;
-
-  struct Member {
-    PrimaryChain<SplatSampler<Space>, SmallStep> chain;
-    Rng random;
-    RejectionRuns runs;
-    ThinnedDraws draws{};
-    std::uint64_t steps = 0;
-  };
-
-  // The sample of a seed, whose total must come out as it was, bit for bit.
-  void start(Member& member, const Seed& seed) {
-    const PrimaryNumbers numbers = slice_.numbers(seed, sampler_.layout());
-    if (!member.chain.start(sampler_, numbers) || member.chain.current().total != seed.weight)
-      throw SeedReplayError("a seed sample could not be replayed from its random numbers");
-  }
-
-  void step(Member& member) {
-    member.random.start(member.steps);
-    statistics_.timed(member.steps++, [&] {
-      int move = 0;
-      member.chain.step(sampler_, member.random, [&](const PrimaryStep<SampleSplats>& step) {
-        deposit(step, Estimator::deposit(step, constants_), film_);
-        statistics_.observe(
-            primary_observation(step, step.current.brightest(), step.proposed.brightest()),
-            member.runs);
-        move = step.mutation();
-      });
-      return move;
-    });
-    if (!slice_.found_light()) return;
-    const SampleSplats& current = member.chain.current();
-    this->keep_state(0, current.total);
-    member.draws.offer([&] { return functionals(current.brightest(), std::log(current.total)); });
-  }
 
   Kernel kernel_;
   SplatSampler<Space> sampler_;
   std::uint64_t seed_;
   int first_chain_, chain_count_;
   PrimaryConstants constants_{};
-  std::vector<Member> chains_;
 };
+
+template <class Space, class SmallStep, class Estimator>
+using PssmltGroup = ChainGroup<PssmltChains<Space, SmallStep, Estimator>>;
 
 }  // namespace wander

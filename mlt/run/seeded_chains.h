@@ -1,73 +1,116 @@
-// The chains of a run, taken out one by one: each is the chain that render() makes of the same
-// scene, mixture and seed, from its first path to its last random number, as long as the budget of
-// render() is enough for all its chains and asks for no more seeds than `fewest_seeds`.
+// The chains of one group: the slice of the seed pass that they start from, and the random numbers
+// of each.  All chains come from here: render() takes those of each group, and watches them with a
+// film and statistics (group.h); trace and replay take those that they show (lab/shown_chains.h).
 //
-// Chain k of L groups that found light is the chain k / L of the group k mod L: as many groups as
-// possible are drawn on, for chains of one group share their slice of the seed pass.
+// Groups share nothing.  The constants of a group are those of its own slice: seeds and constants
+// from one slice make the film unbiased for chains of any length (seed_pass.h).
 #pragma once
 
+#include <algorithm>
+#include <concepts>
 #include <span>
-#include <string>
 #include <string_view>
 
-#include "mlt/chain.h"
-#include "mlt/seeds/seed_slices.h"
+#include "core/rng.h"
+#include "mlt/seeds/seed_pass.h"
 
 namespace wander {
 
-template <class Space, class Kernel>
-class SeededChains {
+template <class C>
+concept ChainSource = requires(C& chains, const C& made, std::uint64_t count,
+                               const SeedTally& others) {
+  chains.add_seeds(count);
+  { made.tally() } -> std::same_as<const SeedTally&>;
+  // After the seed pass: of the chains for which there are seeds, only so many run.
+  chains.keep_chains(1);
+  // After that; `others`: what all other groups found.
+  chains.start_chains(others);
+  // Can steps add anything to the film?
+  { made.takes_steps() } -> std::same_as<bool>;
+  { made.chains() } -> std::same_as<int>;
+  C::move_names();  // of what its chains propose
+};
+
+// A chain and the stream of random numbers that is its own: each step has its place in it.
+template <class Chain>
+struct RunningChain {
+  Chain chain;
+  Rng random;
+  std::uint64_t steps = 0;  // that it has made
+
+  template <class Observer>
+  void step(Observer&& observe) {
+    step(random, observe);
+  }
+  // With a copy of its random numbers that is of another type, such as one that is watched.
+  template <class Random, class Observer>
+  void step(Random& same, Observer&& observe) {
+    same.start(steps++);
+    chain.step(same, observe);
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(chain, steps);
+  }
+};
+
+// Chains that share the steps of their group evenly, whatever the rounds they are made in.
+class EvenTurns {
  public:
-  using W = typename Space::Universe;
-  static constexpr std::span<const std::string_view> names = Kernel::names;
+  explicit EvenTurns(int chains) : chains_(static_cast<std::uint64_t>(chains)) {}
 
-  // Makes the seed pass.  Throws NoLightFound or NothingComputed.
-  SeededChains(const Space& space, const Kernel& kernel, Run& run, ChainSettings settings)
-      : space_(space),
-        seed_(run.session().seed),
-        chains_per_group_(settings.chains_per_group),
-        slices_(space, run, settings, settings.chains_per_group) {
-    for (int g = 0; g < slices_.count(); ++g) {
-      if (slices_[g].found_light()) lit_.push_back(g);
-      kernels_.push_back(kernel);  // of a group's chains: it learns from the seeds of all others
-      kernels_.back().learn(slices_.others(g));
-    }
+  // step(k) for chain k, so many times in all.
+  template <class Step>
+  void take(std::uint64_t steps, Step&& step) {
+    const std::uint64_t target = done_ + steps;
+    const auto share = [this](std::uint64_t total, std::uint64_t k) {
+      return total / chains_ + (k < total % chains_ ? 1 : 0);
+    };
+    for (std::uint64_t k = 0; k < chains_; ++k)
+      for (std::uint64_t i = share(done_, k); i < share(target, k); ++i) step(k);
+    done_ = target;
   }
 
-  const SeedTally& tally() const { return slices_.tally(); }
-  int count() const { return static_cast<int>(lit_.size()) * chains_per_group_; }
-
-  Chain<Space, Kernel> chain(int k) const {
-    const auto [group, member] = place_of(k);
-    auto& slice = slices_[group];
-    const Kernel& kernel = kernels_[static_cast<std::size_t>(group)];
-    return {space_, kernel, slice.replay(slice.seed(member), space_.max_vertices())};
-  }
-  Rng random(int k) const {
-    const auto [group, member] = place_of(k);
-    return {seed_, Purpose::chain, static_cast<std::uint32_t>(group * chains_per_group_ + member)};
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(done_);
   }
 
  private:
-  struct Place {
-    int group, member;
-  };
-  Place place_of(int k) const {
-    if (k >= count())
-      throw std::runtime_error(
-          "chain " + std::to_string(k) + " cannot start: the seed pass found light in " +
-          std::to_string(lit_.size()) + " of " + std::to_string(slices_.count()) +
-          " groups, which is enough for the chains 0 to " + std::to_string(count() - 1));
-    const auto lit = static_cast<int>(lit_.size());
-    return {lit_[static_cast<std::size_t>(k % lit)], k / lit};
+  std::uint64_t chains_, done_ = 0;
+};
+
+// What the deposits of a step are: shares of it that sum to one, of which the constant of the group
+// makes light; or light.
+enum class Deposits { shares, light };
+
+// What the chains of all methods have in common.
+template <class S, class SeedsOfSlice>
+class SeededChains {
+ public:
+  using Space = S;
+  using Seeds = SeedsOfSlice;
+
+  void add_seeds(std::uint64_t count) { slice_.run(count); }
+  const SeedTally& tally() const { return slice_.tally(); }
+  const SeedEvidence& evidence() const { return slice_.evidence(); }
+  bool found_light() const { return slice_.found_light(); }
+  const Space& space() const { return space_; }
+
+  // The slice, between two samples of the seed pass, or after it.
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(slice_);
   }
 
+ protected:
+  SeededChains(const Space& space, std::uint64_t seed, int group, int seeds,
+               const FilmLayout& layout)
+      : space_(space), slice_(space, seed, group, seeds, layout) {}
+
   const Space& space_;
-  std::uint64_t seed_;
-  int chains_per_group_;
-  SeedSlices<Space, PathSeeds> slices_;
-  std::vector<int> lit_;         // groups
-  std::vector<Kernel> kernels_;  // by group
+  SeedSlice<Space, Seeds> slice_;
 };
 
 }  // namespace wander

@@ -189,17 +189,16 @@ Disagreement disagreement(const Draws& draws, std::size_t chains_per_group) {
 }
 
 std::vector<std::string> warnings(const Evidence& evidence) {
-  const std::size_t chains = evidence.draws.chains();
   std::vector<std::string> all;
   if (rests_on_few_samples(evidence.seeds)) {
     all.push_back(few_samples(evidence.seeds));
-  } else if (evidence.seeds.effective_samples() < static_cast<double>(chains)) {
-    all.push_back(few_seeds(evidence.seeds, chains));
+  } else if (evidence.seeds.effective_samples() < static_cast<double>(evidence.all_chains)) {
+    all.push_back(few_seeds(evidence.seeds, evidence.all_chains));
   }
   const std::string disagreement = disagreeing_groups(evidence);
   // Groups that disagree are of chains that are short, and a worse matter.
   all.push_back(disagreement.empty() ? slow_mixing(evidence) : disagreement);
-  all.push_back(few_groups(evidence.statistics, chains / evidence.chains_per_group));
+  all.push_back(few_groups(evidence.statistics, evidence.all_groups));
   std::erase_if(all, [](const std::string& warning) { return warning.empty(); });
   return all;
 }

@@ -16,7 +16,10 @@ struct Evidence {
   const ChainDraws& draws;
   const ChainsRecord& chains;
   const MutationStatistics& statistics;
-  std::size_t chains_per_group;
+  std::size_t chains_per_group;  // of the draws
+  // Also those of which there are no draws that could be compared.
+  std::size_t all_chains = draws.chains();
+  std::size_t all_groups = draws.chains() / chains_per_group;
 };
 
 std::vector<std::string> warnings(const Evidence& evidence);

@@ -10,6 +10,7 @@
 
 #include <stdexcept>
 
+#include "core/film_layout.h"
 #include "core/path_class.h"
 #include "core/path_sampler.h"
 #include "mlt/primary/primary_numbers.h"
@@ -26,15 +27,15 @@ class SeedReplayError : public std::runtime_error {
 };
 
 // What normalization asks of a slice beside its tally: the ratios l = f / p̄ of what it found, by
-// stratum (seeds.h), and Σ w f/p of each bin of the film and of each class.
+// stratum (seeds.h), and Σ w f/p of each cell of the film's raster and of each class.
 struct SeedEvidence {
   std::vector<RatioHistogram> ratios;
   std::vector<Sum> film;
   ClassTable classes;
   std::vector<Sum> by_class = std::vector<Sum>(ClassTable::most_classes + 1);
 
-  SeedEvidence(int strata, int bins)
-      : ratios(static_cast<std::size_t>(strata)), film(static_cast<std::size_t>(bins)) {}
+  SeedEvidence(int strata, std::size_t cells)
+      : ratios(static_cast<std::size_t>(strata)), film(cells) {}
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -49,13 +50,15 @@ class SeedSlice {
   using W = typename Space::Universe;
 
   // `count`: how many seeds.
-  SeedSlice(const Space& space, std::uint64_t seed, int group, int count)
+  SeedSlice(const Space& space, std::uint64_t seed, int group, int count,
+            const FilmLayout& layout = {})
       : space_(&space),
         sampler_(space, all_techniques, Heuristic::balance),
         samples_(seed, Purpose::seed_pass, static_cast<std::uint32_t>(group)),
         seeds_(Rng(seed, Purpose::resample, static_cast<std::uint32_t>(group)), count),
         tally_(space.max_vertices()),
-        evidence_(Seeds::strata(space.max_vertices()), space.scene().bins()),
+        raster_(layout.raster(space.scene().resolution())),
+        evidence_(Seeds::strata(space.max_vertices()), raster_.cells()),
         by_length_(tally_.sum.size()) {}
 
   void run(std::uint64_t count) {
@@ -132,7 +135,7 @@ class SeedSlice {
   void keep(const Path<W>& x, double weight) {
     if constexpr (Seeds::ratios == Ratios::of_paths)
       evidence_.ratios[Seeds::stratum(x.size())].add(weight);
-    evidence_.film[static_cast<std::size_t>(space_->bin(x))] += weight;
+    evidence_.film[raster_.cell(space_->bin(x))] += weight;
     evidence_.by_class[evidence_.classes.index(path_class_of(x))] += weight;
   }
 
@@ -141,6 +144,7 @@ class SeedSlice {
   Rng samples_;
   Seeds seeds_;
   SeedTally tally_;
+  Raster raster_;
   SeedEvidence evidence_;
   std::vector<double> by_length_;  // of the sample under way
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/rng.h"
+#include "mlt/seeds/seed_tally.h"
 #include "statistics/sum.h"
 
 namespace wander {
@@ -53,7 +54,7 @@ class Reservoirs {
 
 // Beside drawing, each kind of seeds says among which strata the states of its chains are compared
 // with the seed pass (bridge.h), by the ratios of what it found: one stratum for each target
-// density that the chains have.
+// density that the chains have; and how much light a slice has found in a stratum.
 
 // The seeds of chains whose state is a path of any length.
 class PathSeeds {
@@ -61,6 +62,7 @@ class PathSeeds {
   static int strata(int) { return 1; }
   static constexpr Ratios ratios = Ratios::of_paths;
   static std::size_t stratum(int) { return 0; }
+  static double light(const SeedTally& tally, std::size_t) { return tally.mean(); }
 
   PathSeeds(Rng random, int chains) : random_(random), reservoirs_(chains) {}
   void start(std::uint64_t sample) { random_.start(sample); }
@@ -84,6 +86,7 @@ class SampleSeeds {
   static int strata(int) { return 1; }
   static constexpr Ratios ratios = Ratios::of_samples;
   static std::size_t stratum(int) { return 0; }
+  static double light(const SeedTally& tally, std::size_t) { return tally.mean(); }
 
   SampleSeeds(Rng random, int chains) : random_(random), reservoirs_(chains) {}
   void start(std::uint64_t sample) { random_.start(sample); }
@@ -107,6 +110,9 @@ class LengthSeeds {
   static int strata(int max_vertices) { return max_vertices - 1; }
   static constexpr Ratios ratios = Ratios::of_paths;
   static std::size_t stratum(int vertices) { return static_cast<std::size_t>(vertices) - 2; }
+  static double light(const SeedTally& tally, std::size_t stratum) {
+    return tally.mean(static_cast<int>(stratum) + 2);
+  }
 
   LengthSeeds(Rng random, int lengths)
       : random_(random), reservoirs_(static_cast<std::size_t>(lengths), Reservoirs(1)) {}

@@ -108,9 +108,9 @@ class WatchedSpace : public Space {
     attempt_->look_at(point(x, i));
     return Space::end_parameter(x, i);
   }
-  typename W::Square film(const Path<W>& x) const {
+  typename W::Square film_position(const Path<W>& x) const {
     attempt_->look_at(point(x, x.size() - 1));
-    return Space::film(x);
+    return Space::film_position(x);
   }
 
  private:

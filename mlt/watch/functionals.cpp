@@ -7,18 +7,23 @@
 
 namespace wander {
 
+void ChainDraws::add(const ChainDraws& others, std::size_t count, std::size_t step) {
+  for (std::size_t c = 0; c < others.chains_.size(); ++c)
+    if (c % step < count) chains_.push_back(others.chains_[c]);
+}
+
 std::uint64_t ChainDraws::stride() const {
   std::uint64_t stride = 1;
-  for (const ThinnedDraws* chain : chains_) stride = std::max(stride, chain->stride());
+  for (const ThinnedDraws& chain : chains_) stride = std::max(stride, chain.stride());
   return stride;
 }
 
 std::size_t ChainDraws::length() const {
   std::size_t length = chains_.empty() ? 0 : ThinnedDraws::capacity;
   const std::uint64_t stride = this->stride();
-  for (const ThinnedDraws* chain : chains_) {
-    const std::size_t every = stride / chain->stride();
-    length = std::min(length, (chain->size() + every - 1) / every);
+  for (const ThinnedDraws& chain : chains_) {
+    const std::size_t every = stride / chain.stride();
+    length = std::min(length, (chain.size() + every - 1) / every);
   }
   return length;
 }
@@ -27,10 +32,10 @@ Draws ChainDraws::of(std::size_t functional) const {
   Draws draws{chains_.size(), length(), {}};
   const std::uint64_t stride = this->stride();
   draws.values.reserve(draws.chains * draws.length);
-  for (const ThinnedDraws* chain : chains_) {
-    const std::size_t every = stride / chain->stride();
+  for (const ThinnedDraws& chain : chains_) {
+    const std::size_t every = stride / chain.stride();
     for (std::size_t i = 0; i < draws.length; ++i)
-      draws.values.push_back((*chain)[i * every][functional]);
+      draws.values.push_back(chain[i * every][functional]);
   }
   return draws;
 }

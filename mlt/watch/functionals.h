@@ -25,7 +25,7 @@ template <class Space>
 Functionals functionals(const Space& space, const Path<typename Space::Universe>& x) {
   int specular = 0;
   for (int i = 0; i < x.size(); ++i) specular += is_specular(x[i].event) ? 1 : 0;
-  return {static_cast<double>(space.film(x)[0]), x.contribution.log(),
+  return {static_cast<double>(space.film_position(x)[0]), x.contribution.log(),
           static_cast<double>(x.size()), static_cast<double>(specular)};
 }
 
@@ -74,7 +74,9 @@ class ThinnedDraws {
 // shortest.
 class ChainDraws {
  public:
-  void add(const ThinnedDraws& chain) { chains_.push_back(&chain); }
+  void add(const ThinnedDraws& chain) { chains_.push_back(chain); }
+  // Of every `step` chains the first `count`.
+  void add(const ChainDraws& others, std::size_t count, std::size_t step);
 
   std::size_t chains() const { return chains_.size(); }
   std::uint64_t stride() const;
@@ -82,7 +84,7 @@ class ChainDraws {
   Draws of(std::size_t functional) const;
 
  private:
-  std::vector<const ThinnedDraws*> chains_;
+  std::vector<ThinnedDraws> chains_;
 };
 
 // R̂ and the effective sample sizes of each functional; autocorrelation times in steps, which are

@@ -5,17 +5,18 @@
 
 namespace wander {
 
-MutationStatistics::MutationStatistics(std::span<const std::string_view> names, int bins,
-                                       int max_vertices)
-    : lengths_(static_cast<std::size_t>(std::min(max_vertices, most_vertices)) - 1),
+MutationStatistics::MutationStatistics(std::span<const std::string_view> names,
+                                       const Raster& places, int max_vertices)
+    : places_(places),
+      lengths_(static_cast<std::size_t>(std::min(max_vertices, most_vertices)) - 1),
       by_length_(lengths_ * names.size()),
       by_class_((ClassTable::most_classes + 1) * names.size()),
       groups_of_class_(ClassTable::most_classes + 1) {
   for (const std::string_view name : names) {
     Tally& tally = tallies_.emplace_back();
     tally.name = name;
-    tally.proposed_per_bin.resize(static_cast<std::size_t>(bins));
-    tally.acceptance_per_bin.resize(static_cast<std::size_t>(bins));
+    tally.proposed_per_bin.resize(places.cells());
+    tally.acceptance_per_bin.resize(places.cells());
   }
 }
 

@@ -1,6 +1,6 @@
 // What the mutations did: an observer of steps, one per group of chains, merged in order.  Of each
 // mutation it counts the outcomes, of all paths, by number of vertices, by class of the current
-// path, and by bin of the film; and measures how far it moves on the film, E[a |film(y) -
+// path, and by place on the film; and measures how far it moves on the film, E[a |film(y) -
 // film(x)|²] (the expected squared jump [Pasarica and Gelman 2010]), and what it costs.
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/path_class.h"
+#include "core/raster.h"
 #include "mlt/chain.h"
 #include "mlt/watch/chains_record.h"
 #include "statistics/sum.h"
@@ -33,7 +34,7 @@ struct Features {
 template <class Space>
 std::array<double, 2> film_position(const Space& space, const Path<typename Space::Universe>& x) {
   std::array<double, 2> position{};
-  const auto film = space.film(x);
+  const auto film = space.film_position(x);
   for (std::size_t axis = 0; axis < film.size(); ++axis)
     position[axis] = static_cast<double>(film[axis]);
   return position;
@@ -87,7 +88,9 @@ class MutationStatistics {
   // Longer paths share the last entry of the outcomes by number of vertices.
   static constexpr int most_vertices = 65;
 
-  MutationStatistics(std::span<const std::string_view> names, int bins, int max_vertices);
+  // `places`: the cells of the film that are told apart; of none, what is counted by bin is not.
+  MutationStatistics(std::span<const std::string_view> names, const Raster& places,
+                     int max_vertices);
 
   void observe(const Observation& seen, RejectionRuns& runs);
 
@@ -165,6 +168,7 @@ class MutationStatistics {
   std::vector<PathsRecord> records_by_length(std::size_t mutation) const;
   std::vector<PathsRecord> records_by_class(std::size_t mutation) const;
 
+  Raster places_;
   std::vector<Tally> tallies_;
   std::size_t lengths_;
   ClassTable classes_;
@@ -180,12 +184,13 @@ inline void MutationStatistics::Outcomes::add(const Observation& seen) {
 
 inline void MutationStatistics::observe(const Observation& seen, RejectionRuns& runs) {
   const auto m = static_cast<std::size_t>(seen.mutation);
-  const auto bin = static_cast<std::size_t>(seen.current.bin);
   const auto length = static_cast<std::size_t>(std::max(seen.current.vertices - 2, 0));
   Tally& tally = tallies_[m];
   by_length(std::min(length, lengths() - 1), m).add(seen);
   by_class(classes_.index(seen.current.path_class), m).add(seen);
-  if (!seen.current.is_dark()) tally.proposed_per_bin[bin] += 1;
+  const bool has_place = !seen.current.is_dark() && places_.cells() > 0;
+  const std::size_t place = has_place ? places_.cell(seen.current.bin) : 0;
+  if (has_place) tally.proposed_per_bin[place] += 1;
   std::uint64_t& run = runs.of_mutation[m];
   if (seen.reason == Reason::none) {
     run = runs.whole = 0;
@@ -194,7 +199,7 @@ inline void MutationStatistics::observe(const Observation& seen, RejectionRuns& 
     longest_run_ = std::max(longest_run_, ++runs.whole);
   }
   if (!(seen.acceptance > 0) || seen.current.is_dark()) return;
-  tally.acceptance_per_bin[bin] += seen.acceptance;
+  if (has_place) tally.acceptance_per_bin[place] += seen.acceptance;
   tally.squared_jump += seen.squared_jump;
 }
 

@@ -88,7 +88,7 @@ class StepLog {
     LoggedPath path;
     path.first = events_.size();
     path.vertices = x.size();
-    const auto film = space.film(x);
+    const auto film = space.film_position(x);
     for (std::size_t k = 0; k < film.size(); ++k) path.film[k] = static_cast<double>(film[k]);
     path.log_f = x.contribution.log();
     for (int i = 0; i < x.size(); ++i) {

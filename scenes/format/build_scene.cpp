@@ -12,15 +12,6 @@ namespace {
 
 constexpr double smooth_below = 1e-8;    // roughness
 constexpr double matched_below = 1e-12;  // |η - 1|
-constexpr double full_turn = 2 * std::numbers::pi;
-
-template <World W>
-typename W::Point point(const description::Coordinates& c) {
-  typename W::Point p;
-  for (int axis = 0; axis < W::dimension; ++axis)
-    p[axis] = c[static_cast<std::size_t>(axis)] + 0.0;  // -0 is 0
-  return p;
-}
 
 // Luminance, of linear Rec. 709.
 double grey(const description::Quantity& q) {
@@ -34,61 +25,6 @@ bool indices_match(Real a, Real b) {
   return std::abs(a / b - 1) < matched_below;
 }
 
-template <class Round>
-typename Round::Facing facing(bool flipped) {
-  return flipped ? Round::Facing::inward : Round::Facing::outward;
-}
-
-// Calls add(shape) for what a shape of the description is made of.
-template <World W, class Add, int D = W::dimension>
-struct ShapeMaker {
-  Add add;
-
-  void operator()(const description::Segment& s) const {
-    add(Segment<W>(point<W>(s.from), point<W>(s.to)));
-  }
-  void operator()(const description::Polyline& s) const {
-    for (std::size_t i = 0; i + 1 < s.points.size(); ++i)
-      add(Segment<W>(point<W>(s.points[i]), point<W>(s.points[i + 1])));
-    if (s.closed) add(Segment<W>(point<W>(s.points.back()), point<W>(s.points.front())));
-  }
-  void operator()(const description::Circle& s) const {
-    add(Arc<W>(point<W>(s.center), s.radius, 0, full_turn, facing<Arc<W>>(s.flip)));
-  }
-  void operator()(const description::Arc& s) const {
-    double extent = s.to_degrees - s.from_degrees;
-    while (extent <= 0) extent += 360;
-    const double radian = std::numbers::pi / 180;
-    const double turn = extent >= 360 ? full_turn : extent * radian;
-    add(Arc<W>(point<W>(s.center), s.radius, s.from_degrees * radian, turn,
-               facing<Arc<W>>(s.flip)));
-  }
-};
-template <World W, class Add>
-struct ShapeMaker<W, Add, 3> {
-  Add add;
-  typename Mesh<W>::Role role;
-
-  void operator()(const description::Triangle& s) const {
-    add(Triangle<W>(point<W>(s.points[0]), point<W>(s.points[1]), point<W>(s.points[2])));
-  }
-  void operator()(const description::Parallelogram& s) const {
-    add(Parallelogram<W>(point<W>(s.origin), point<W>(s.edges[0]), point<W>(s.edges[1])));
-  }
-  void operator()(const description::Sphere& s) const {
-    add(Sphere<W>(point<W>(s.center), s.radius, facing<Sphere<W>>(s.flip)));
-  }
-  void operator()(const description::Mesh& s) const { add(Mesh<W>(s.triangles, role)); }
-};
-
-template <World W, class Add>
-auto shape_maker(const description::Shape& shape, Add add) {
-  if constexpr (W::dimension == 2)
-    return ShapeMaker<W, Add>{add};
-  else
-    return ShapeMaker<W, Add>{add, shape.light ? Mesh<W>::Role::emitter : Mesh<W>::Role::passive};
-}
-
 // In the order of film coordinates: to the right, and in space down.
 template <World W>
 auto film_axes(const description::Camera& c, typename W::Direction axis)
@@ -96,17 +32,17 @@ auto film_axes(const description::Camera& c, typename W::Direction axis)
   if constexpr (W::dimension == 2) {
     return {-left_of(axis)};
   } else {
-    const auto right = glm::normalize(glm::cross(axis, glm::normalize(point<W>(c.up))));
+    const auto right = glm::normalize(glm::cross(axis, glm::normalize(point_of<W>(c.up))));
     return {right, glm::cross(axis, right)};
   }
 }
 
 template <World W>
 Camera<W> build_camera(const description::Camera& c) {
-  const typename W::Point offset = point<W>(c.target) - point<W>(c.position);
+  const typename W::Point offset = point_of<W>(c.target) - point_of<W>(c.position);
   const typename W::Point axis = glm::normalize(offset);
   const double width = 2 * std::tan(c.fov_degrees * std::numbers::pi / 360);
-  Camera<W> camera{.position = point<W>(c.position),
+  Camera<W> camera{.position = point_of<W>(c.position),
                    .axis = axis,
                    .across = film_axes<W>(c, axis),
                    .extent = {width},
@@ -169,7 +105,14 @@ std::unique_ptr<const Scene<W>> build_scene(const description::Scene& scene) {
       parts.parts.push_back({std::move(made), shape.material.value_or(black),
                              static_cast<typename W::Real>(radiance), shape.sensor.has_value()});
     };
-    visit_known(shape_maker<W>(shape, add), shape.kind);
+    description::visit_kind<W::dimension>(
+        [&](const auto& kind) {
+          if constexpr (W::dimension == 2)
+            add_curves<W>(kind, add);
+          else
+            add_surfaces<W>(kind, shape.light ? SurfaceRole::emitter : SurfaceRole::passive, add);
+        },
+        shape.kind);
   }
   if (scene.camera) parts.camera = build_camera<W>(*scene.camera);
   return std::make_unique<const Scene<W>>(std::move(parts));

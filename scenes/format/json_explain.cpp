@@ -1,12 +1,13 @@
-// The walk along schema and document that finds what to say.  Where it and valijson disagree about
-// a document, one of them is wrong: a test holds them together.
+// The walk along schema and document.  Where it and valijson disagree about a document, one of them
+// is wrong: a test holds them together.
+#include "scenes/format/json_explain.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <unordered_map>
 
-#include "scenes/format/json_schema.h"
 #include "scenes/format/json_text.h"
 #include "scenes/format/scene_file_nearest.h"
 

@@ -89,7 +89,7 @@ std::optional<std::size_t> first_bad_byte(std::string_view text) {
   return std::nullopt;
 }
 
-Place Places::of(std::size_t byte) {
+LineColumn Places::of(std::size_t byte) {
   if (byte < byte_) {
     byte_ = 0;
     place_ = {};

@@ -25,7 +25,7 @@ Token token_after(std::string_view text, std::size_t begin);
 // The first byte that is not UTF-8 or is NUL.
 std::optional<std::size_t> first_bad_byte(std::string_view text);
 
-struct Place {
+struct LineColumn {
   int line = 1, column = 1;
 };
 
@@ -33,12 +33,12 @@ struct Place {
 class Places {
  public:
   explicit Places(std::string_view text) : text_(text) {}
-  Place of(std::size_t byte);
+  LineColumn of(std::size_t byte);
 
  private:
   std::string_view text_;
   std::size_t byte_ = 0;
-  Place place_;
+  LineColumn place_;
 };
 
 // As a message shows it: on one line, without control characters, at most about 60 characters.

@@ -57,17 +57,23 @@ struct Extent {
 // What of a shape is looked at.
 struct Measured {
   Extent extent;
-  double feature = infinity;
-  std::optional<Sheet> sheet;
-  std::size_t flattened = 0;  // triangles without area
+  std::size_t faces = 0, flattened = 0;  // flattened ones have no area
+  double feature = infinity;             // of the last face
+  std::optional<Sheet> sheet;            // that face, if it is flat
 
   void operator()(const description::Triangle& s) {
     const Point a = vector(s.points[0]), b = vector(s.points[1]), c = vector(s.points[2]);
-    sheet = Sheet{a, b - a, c - a, true};
     for (const Point& p : {a, b, c}) extent.include(p);
+    ++faces;
+    if (glm::cross(b - a, c - a) == Point(0)) {
+      ++flattened;
+      return;
+    }
     feature = std::min({glm::length(b - a), glm::length(c - a), glm::length(c - b)});
+    sheet = Sheet{a, b - a, c - a, true};
   }
   void operator()(const description::Parallelogram& s) {
+    ++faces;
     sheet = Sheet{vector(s.origin), vector(s.edges[0]), vector(s.edges[1])};
     for (const double u : {0, 1})
       for (const double v : {0, 1})
@@ -75,27 +81,29 @@ struct Measured {
     feature = std::min(glm::length(sheet->edge0), glm::length(sheet->edge1));
   }
   void operator()(const description::Sphere& s) {
+    ++faces;
     extent.include(vector(s.center) - s.radius);
     extent.include(vector(s.center) + s.radius);
     feature = s.radius;
   }
-  void operator()(const description::Mesh& s) {
-    const auto& points = s.triangles->points;
-    const auto point = [&](std::int32_t i) { return vector(points[static_cast<std::size_t>(i)]); };
-    for (const auto& [i, j, k] : s.triangles->corners) {
-      const Point a = point(i), b = point(j), c = point(k);
-      for (const Point& p : {a, b, c}) extent.include(p);
-      if (glm::cross(b - a, c - a) == Point(0)) ++flattened;
-    }
-  }
 };
+
+// Of a surface of many faces none is looked at alone.
+Measured measured(const description::ShapeKind& kind) {
+  Measured shape;
+  description::visit_kind<3>([&](const auto& surface) { surface.for_each_face(shape); }, kind);
+  if (shape.faces == 1) return shape;
+  shape.feature = infinity;
+  shape.sheet.reset();
+  return shape;
+}
 
 class Lint {
  public:
   explicit Lint(const description::Scene& scene) : scene_(scene) {
     Extent all;
     for (const description::Shape& shape : scene.shapes) {
-      visit_known(measured_.emplace_back(), shape.kind);
+      measured_.push_back(measured(shape.kind));
       all.include(measured_.back().extent.low);
       all.include(measured_.back().extent.high);
     }

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "scenes/format/json_document.h"
-#include "scenes/format/json_schema.h"
+#include "scenes/format/json_explain.h"
 #include "scenes/format/json_text.h"
 #include "scenes/format/lint.h"
 #include "scenes/format/scene_file_build.h"
@@ -53,16 +53,12 @@ std::vector<Fault> located(std::vector<JsonFault> faults, std::string_view text)
 std::vector<JsonFault> faults_in(const JsonDocument& document, std::vector<JsonFault> faults,
                                  const std::optional<std::filesystem::path>& folder,
                                  SceneMeshes& meshes) {
-  const bool is_valid = conforms(document, scene_schema_text);
-  Explanation explanation;
-  if (!is_valid) explanation = explain(document, scene_schema_text);
+  const Explanation explanation = explain(document, scene_schema_text);
   faults.insert(faults.end(), explanation.faults.begin(), explanation.faults.end());
   const auto more = check_scene(document, faults, explanation.meant);
   faults.insert(faults.end(), more.begin(), more.end());
   const auto of_meshes = meshes.read(document, faults, folder);
   faults.insert(faults.end(), of_meshes.begin(), of_meshes.end());
-  if (!is_valid && faults.empty())
-    faults.push_back(document.fault(document.root(), "this is no scene; see scene.schema.json"));
   return faults;
 }
 

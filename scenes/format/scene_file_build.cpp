@@ -1,6 +1,9 @@
 #include "scenes/format/scene_file_build.h"
 
+#include <algorithm>
 #include <map>
+#include <stdexcept>
+#include <tuple>
 
 #include "scenes/format/json_text.h"
 
@@ -32,10 +35,6 @@ std::vector<int> resolution(const ordered_json& json) {
   return json.is_array() ? json.get<std::vector<int>>() : std::vector<int>{json.get<int>()};
 }
 
-std::array<Coordinates, 3> three_points(const ordered_json& points) {
-  return {coordinates(points[0]), coordinates(points[1]), coordinates(points[2])};
-}
-
 MaterialKind material_kind(const ordered_json& material) {
   const auto type = material.at("type").get<std::string>();
   const auto number = [&](const char* key) { return material.at(key).get<double>(); };
@@ -50,11 +49,12 @@ MaterialKind material_kind(const ordered_json& material) {
   return Black{};
 }
 
-Shape build_shape(const ordered_json& json, const std::map<std::string, std::size_t>& materials,
-                  const SceneMeshes& meshes) {
-  Shape shape;
+description::Shape build_shape(const ordered_json& json,
+                               const std::map<std::string, std::size_t>& materials,
+                               const SceneMeshes& meshes) {
+  description::Shape shape;
   shape.kind = build_shape_kind(json);
-  if (auto* mesh = std::get_if<Mesh>(&shape.kind)) mesh->triangles = meshes.of(json);
+  if (auto* mesh = std::get_if<description::Mesh>(&shape.kind)) mesh->triangles = meshes.of(json);
   if (json.contains("material"))
     shape.material = materials.at(json.at("material").get<std::string>());
   if (json.contains("light")) shape.light = Light{quantity(json.at("light").at("radiance"))};
@@ -80,36 +80,54 @@ Camera build_camera(const ordered_json& json) {
   return camera;
 }
 
+// ---- the fields of a shape, where they are given
+
+template <class Value>
+void read(const ordered_json& json, Value& value) {
+  value = json.get<Value>();
+}
+void read(const ordered_json& value, Coordinates& point) { point = coordinates(value); }
+template <std::size_t count>
+void read(const ordered_json& value, std::array<Coordinates, count>& points) {
+  std::ranges::transform(value, points.begin(), coordinates);
+}
+void read(const ordered_json& value, std::vector<Coordinates>& points) {
+  points.reserve(value.size());
+  for (const ordered_json& point : value) points.push_back(coordinates(point));
+}
+
+template <class Kind>
+Kind read_fields(const ordered_json& shape) {
+  Kind kind;
+  const auto read_field = [&](const auto& field) {
+    if (const auto found = shape.find(field.key); found != shape.end())
+      read(*found, kind.*field.value);
+  };
+  std::apply([&](const auto&... field) { (read_field(field), ...); }, Kind::fields());
+  return kind;
+}
+
+// The schema has seen to it that there is one of this name.
+template <std::size_t i = 0>
+ShapeKind kind_named(std::string_view name, const ordered_json& shape) {
+  using Kind = std::variant_alternative_t<i, ShapeKind>;
+  if (name == Kind::name) return read_fields<Kind>(shape);
+  if constexpr (i + 1 < std::variant_size_v<ShapeKind>)
+    return kind_named<i + 1>(name, shape);
+  else
+    throw std::logic_error("the schema knows a shape that the program does not");
+}
+
 }  // namespace
 
 ShapeKind build_shape_kind(const ordered_json& shape) {
-  const auto type = shape.at("type").get<std::string>();
-  const auto number = [&](const char* key) { return shape.at(key).get<double>(); };
-  if (type == "segment") return Segment{coordinates(shape.at("from")), coordinates(shape.at("to"))};
-  const bool flip = shape.value("flip", false);
-  if (type == "circle") return Circle{coordinates(shape.at("center")), number("radius"), flip};
-  if (type == "arc")
-    return Arc{coordinates(shape.at("center")), number("radius"), number("from_deg"),
-               number("to_deg"), flip};
-  if (type == "sphere") return Sphere{coordinates(shape.at("center")), number("radius"), flip};
-  if (type == "triangle") return Triangle{three_points(shape.at("points"))};
-  if (type == "parallelogram") {
-    const ordered_json& edges = shape.at("edges");
-    return Parallelogram{coordinates(shape.at("origin")),
-                         {coordinates(edges[0]), coordinates(edges[1])}};
-  }
-  if (type == "mesh") return Mesh{shape.at("file").get<std::string>(), nullptr};
-  Polyline polyline{{}, shape.value("closed", false)};
-  polyline.points.reserve(shape.at("points").size());
-  for (const ordered_json& point : shape.at("points"))
-    polyline.points.push_back(coordinates(point));
-  return polyline;
+  return kind_named(shape.at("type").get_ref<const std::string&>(), shape);
 }
 
-Scene build_description(const JsonDocument& document, std::string_view text,
-                        const SceneMeshes& meshes) {
+description::Scene build_description(const JsonDocument& document, std::string_view text,
+                                     const SceneMeshes& meshes) {
   const ordered_json& root = *document.root().value;
-  Scene scene;
+  description::Scene scene;
   scene.name = root.value("name", "");
   scene.description = root.value("description", "");
   scene.dimension = root.at("dimension").get<int>();
@@ -124,8 +142,8 @@ Scene build_description(const JsonDocument& document, std::string_view text,
 
   Places places(text);
   for (const JsonMember& member : document.children(*document.find(document.root(), "shapes"))) {
-    Shape shape = build_shape(*member.node.value, materials, meshes);
-    const Place place = places.of(document.byte_of(member.node));
+    description::Shape shape = build_shape(*member.node.value, materials, meshes);
+    const LineColumn place = places.of(document.byte_of(member.node));
     shape.line = place.line;
     shape.column = place.column;
     scene.shapes.push_back(std::move(shape));

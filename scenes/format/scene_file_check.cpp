@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/glm.hpp>
 #include <unordered_map>
 
 #include "scenes/format/json_text.h"
@@ -15,32 +14,10 @@ namespace wander {
 
 namespace {
 
-using namespace description;
-
-bool same_point(const Coordinates& a, const Coordinates& b) { return a == b; }  // -0 is 0
-
-// Squares of shorter lengths are no normal numbers.
-constexpr double shortest_length = 1e-150;
-constexpr const char* too_short =
-    "shorter than 1e-150, the least length that can be computed with; enlarge the scene";
-bool too_near(const Coordinates& a, const Coordinates& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < shortest_length;
-}
+using description::Coordinates;
+using description::shortest_length;
 
 constexpr int most_pixels = 100'000'000;
-
-// Narrower than this share of its longer side, a surface has no normal.
-constexpr double least_breadth = 1e-14;
-glm::dvec3 vector(const Coordinates& c) { return {c[0], c[1], c[2]}; }
-bool is_narrow(const Coordinates& edge, const Coordinates& other) {
-  const glm::dvec3 a = vector(edge), b = vector(other);
-  const auto largest = glm::max(glm::abs(a), glm::abs(b));
-  const double size = std::max({largest.x, largest.y, largest.z});
-  return glm::length(glm::cross(a / size, b / size)) < least_breadth;
-}
-Coordinates difference(const Coordinates& a, const Coordinates& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
 
 class Check {
  public:
@@ -61,17 +38,7 @@ class Check {
   void check_pixels(JsonNode holder);
   void check_up(JsonNode camera, const Coordinates& view);
 
-  void check_shape(JsonNode shape, const Segment& segment);
-  void check_shape(JsonNode shape, const Polyline& polyline);
-  void check_shape(JsonNode shape, const Circle& circle) { check_radius(shape, circle.radius); }
-  void check_shape(JsonNode shape, const Arc& arc);
-  void check_shape(JsonNode shape, const Triangle& triangle);
-  void check_shape(JsonNode shape, const Parallelogram& parallelogram);
-  void check_shape(JsonNode shape, const Sphere& sphere) { check_radius(shape, sphere.radius); }
-  void check_shape(JsonNode shape, const Mesh&);
-  void check_radius(JsonNode shape, double radius) {
-    if (radius < shortest_length) note(at(shape, "radius"), too_short);
-  }
+  void note(JsonNode shape, const description::Flaws& flaws);
 
   bool is_faulty(JsonNode node) const {
     const auto found = fault_bytes_.lower_bound(document_.byte_of(node));
@@ -187,88 +154,23 @@ void Check::check_geometry(const std::vector<JsonMember>& shapes) {
     if (is_full()) return;
     if (is_faulty(shape.node)) continue;
     if (const auto sensor = document_.find(shape.node, "sensor")) check_pixels(*sensor);
-    std::visit([&](const auto& kind) { check_shape(shape.node, kind); },
-               build_shape_kind(*shape.node.value));
+    note(shape.node, std::visit([](const auto& kind) { return kind.flaws(); },
+                                build_shape_kind(*shape.node.value)));
   }
 }
 
-void Check::check_shape(JsonNode shape, const Segment& segment) {
-  if (same_point(segment.from, segment.to))
-    note(at(shape, "to"), "from and to are the same point; a segment has a length > 0");
-  else if (too_near(segment.from, segment.to))
-    note(at(shape, "to"), too_short);
-}
-
-void Check::check_shape(JsonNode shape, const Polyline& polyline) {
-  const auto& points = polyline.points;
-  const std::vector<JsonMember> nodes = document_.children(at(shape, "points"));
-  for (std::size_t i = 1; i < points.size() && !is_full(); ++i) {
-    if (same_point(points[i], points[i - 1]))
-      note(nodes[i].node, "this repeats the point before it; leave one of the two out");
-    else if (too_near(points[i], points[i - 1]))
-      note(nodes[i].node, too_short);
+void Check::note(JsonNode shape, const description::Flaws& flaws) {
+  std::string_view listed;
+  std::vector<JsonMember> elements;  // of that list
+  for (const description::Flaw& flaw : flaws) {
+    if (is_full()) return;
+    const JsonNode value = at(shape, flaw.key);
+    if (flaw.element && listed != flaw.key) {
+      elements = document_.children(value);
+      listed = flaw.key;
+    }
+    note(flaw.element ? elements[*flaw.element].node : value, flaw.what);
   }
-  if (polyline.closed && same_point(points.front(), points.back()))
-    note(nodes.back().node,
-         "this repeats the first point; leave it out, for \"closed\" joins the ends");
-  else if (polyline.closed && too_near(points.front(), points.back()))
-    note(nodes.back().node, too_short);
-}
-
-void Check::check_shape(JsonNode shape, const Arc& arc) {
-  check_radius(shape, arc.radius);
-  if (arc.from_degrees == arc.to_degrees)
-    note(at(shape, "to_deg"),
-         "from_deg and to_deg are equal; an arc spans > 0 and at most 360 degrees");
-  else if (std::abs(arc.to_degrees - arc.from_degrees) > 360)
-    note(at(shape, "to_deg"), fmt::format("{} degrees are too many; an arc spans at most 360",
-                                          std::abs(arc.to_degrees - arc.from_degrees)));
-}
-
-void Check::check_shape(JsonNode shape, const Triangle& triangle) {
-  const auto& [a, b, c] = triangle.points;
-  const JsonNode list = at(shape, "points");
-  const std::vector<JsonMember> nodes = document_.children(list);
-  if (same_point(a, b) || same_point(b, c) || same_point(c, a))
-    note(nodes[same_point(a, b) ? 1 : 2].node,
-         "this repeats a corner; a triangle has three different ones");
-  else if (too_near(a, b) || too_near(b, c) || too_near(c, a))
-    note(list, too_short);
-  else if (is_narrow(difference(b, a), difference(c, a)))
-    note(list, "the corners lie on a line; a triangle has an area > 0");
-}
-
-void Check::check_shape(JsonNode shape, const Parallelogram& parallelogram) {
-  const JsonNode list = at(shape, "edges");
-  const std::vector<JsonMember> nodes = document_.children(list);
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    if (too_near(parallelogram.edges[i], {})) {
-      note(nodes[i].node, same_point(parallelogram.edges[i], {})
-                              ? "this edge has no length; a parallelogram has an area > 0"
-                              : too_short);
-      return;
-    }
-  if (is_narrow(parallelogram.edges[0], parallelogram.edges[1]))
-    note(list, "the edges are parallel; a parallelogram has an area > 0");
-}
-
-void Check::check_shape(JsonNode shape, const Mesh&) {
-  const auto transform = document_.find(shape, "transform");
-  if (!transform) return;
-  const nlohmann::ordered_json& rows = *transform->value;
-  const std::array<double, 4> last{0, 0, 0, 1};
-  if (rows.size() == 4 && rows[3].get<std::array<double, 4>>() != last)
-    note(document_.children(*transform)[3].node,
-         "a fourth row is 0, 0, 0, 1: a transform is affine");
-  glm::dmat3 linear;
-  double largest = 0;
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column) {
-      linear[column][row] = rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
-      largest = std::max(largest, std::abs(linear[column][row]));
-    }
-  if (!(largest > 0) || glm::determinant(linear / largest) == 0)
-    note(*transform, "the transform flattens the mesh; its first three columns are independent");
 }
 
 void Check::check_camera() {
@@ -295,9 +197,9 @@ void Check::check_up(JsonNode camera, const Coordinates& view) {
   if (up && is_faulty(*up)) return;
   const Coordinates y{0, 1, 0};
   const Coordinates direction = up ? (*up)->get<Coordinates>() : y;
-  if (too_near(direction, {}))
+  if (description::too_near(direction, {}))
     note(*up, "up has no length; it is the direction that is up in the picture");
-  else if (is_narrow(direction, view))
+  else if (description::is_narrow(direction, view))
     note(up ? *up : camera, fmt::format("the camera looks along {}; {} \"up\" across the view",
                                         up ? "up" : "y, which is its up unless it says otherwise",
                                         up ? "choose an" : "give it an"));

@@ -64,14 +64,6 @@ struct Cutter {
   }
 
   void operator()(const description::Segment& s) { line(vector(s.from), vector(s.to)); }
-  void operator()(const description::Polyline& s) {
-    for (std::size_t i = 0; i + 1 < s.points.size(); ++i)
-      line(vector(s.points[i]), vector(s.points[i + 1]));
-    if (s.closed) line(vector(s.points.back()), vector(s.points.front()));
-  }
-  void operator()(const description::Circle& s) {
-    circle(vector(s.center), s.radius, 0, full_turn, s.flip ? -1 : 1);
-  }
   void operator()(const description::Arc& s) {
     const double radian = std::numbers::pi / 180;
     const double turn = std::fmod(s.to_degrees - s.from_degrees, 360.0);
@@ -124,7 +116,7 @@ Pieces pieces_of(const description::Scene& scene) {
     cutter.blank.shape = i;
     cutter.blank.is_light = shape.light.has_value();
     cutter.blank.is_sensor = shape.sensor.has_value();
-    visit_known(cutter, shape.kind);
+    for (const auto& stroke : outline_of(shape.kind)) std::visit(cutter, stroke);
   }
   constexpr double infinity = std::numeric_limits<double>::infinity();
   glm::dvec2 low(infinity), high(-infinity);

@@ -10,13 +10,13 @@
 
 #include "scenes/format/json_text.h"
 #include "scenes/format/mesh_file.h"
+#include "scenes/format/scene_file_build.h"
 
 namespace wander {
 
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::ordered_json;
 
 constexpr double largest_coordinate = 1e150;  // as in a scene
 
@@ -47,14 +47,15 @@ struct Transform {
   bool mirrors() const { return glm::determinant(linear) < 0; }
 };
 
-// Rows of the file; glm's matrices are columns.
-Transform transform_of(const ordered_json& rows) {
+// A mesh says rows; glm's matrices are columns.
+Transform transform_of(const description::Mesh& mesh) {
   Transform transform;
+  if (mesh.transform.empty()) return transform;
   for (int row = 0; row < 3; ++row) {
-    const ordered_json& numbers = rows[static_cast<std::size_t>(row)];
+    const auto& numbers = mesh.transform[static_cast<std::size_t>(row)];
     for (int column = 0; column < 3; ++column)
-      transform.linear[column][row] = numbers[static_cast<std::size_t>(column)].get<double>();
-    transform.offset[row] = numbers[3].get<double>();
+      transform.linear[column][row] = numbers[static_cast<std::size_t>(column)];
+    transform.offset[row] = numbers[3];
   }
   return transform;
 }
@@ -89,15 +90,15 @@ std::vector<JsonFault> SceneMeshes::read(const JsonDocument& document,
       return document.holds_byte(shape.node, fault.byte);
     });
     if (!file || is_faulty || found.size() > json_limits.faults) continue;
-    const auto name = (*file)->get<std::string>();
+    const auto mesh = std::get<description::Mesh>(build_shape_kind(*shape.node.value));
     try {
-      const fs::path path = path_of(name, folder);
+      const fs::path path = path_of(mesh.file, folder);
       if (!files.contains(path)) files.emplace(path, read_mesh(path));
-      const auto transform = document.find(shape.node, "transform");
-      meshes_[shape.node.value] = std::make_shared<const Triangles>(
-          moved(files.at(path), transform ? transform_of(*transform->value) : Transform()));
+      meshes_[shape.node.value] =
+          std::make_shared<const Triangles>(moved(files.at(path), transform_of(mesh)));
     } catch (const MeshFileError& error) {
-      found.push_back(document.fault(*file, fmt::format("{}: {}", excerpt(name), error.what())));
+      found.push_back(
+          document.fault(*file, fmt::format("{}: {}", excerpt(mesh.file), error.what())));
     }
   }
   return found;

@@ -27,10 +27,13 @@ struct Case {
   const char* scene;
   const char* method;
   std::uint64_t samples;
+  FilmLayout film{};
 };
+// As films of more than 2^14 bins are kept.
+constexpr FilmLayout large{.most_small = 16};
 
 std::ostream& operator<<(std::ostream& out, const Case& c) {
-  return out << c.scene << ' ' << c.method;
+  return out << c.scene << ' ' << c.method << (c.film == large ? " (large)" : "");
 }
 
 // Share of covered bins among the reliable ones, by run; error bars are scaled by `scale`.
@@ -64,7 +67,8 @@ TEST_P(Coverages, OfTheNinetyFivePercentIntervalsAreWhatTheyPromise) {
     Session session;
     session.budget = SampleBudget{c.samples};
     session.seed = 1000 + static_cast<std::uint64_t>(run);
-    const FilmEstimate film = render({document.scene, find_method(c.method)}, session).film;
+    const Job job(document.scene, find_method(c.method), {.film = c.film});
+    const FilmEstimate film = render(job, session).film;
     honest.add(film, exact, 1);
     short_by_a_third.add(film, exact, 0.7);
   }
@@ -84,7 +88,11 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"article-2", "bdpt", 100'000}, Case{"article-2", "mlt", 400'000},
                       Case{"article-3", "bdpt", 1'500'000}, Case{"article-3", "mlt", 1'000'000},
                       Case{"slit", "lt", 1'500'000}, Case{"slit", "bdpt", 1'500'000},
-                      Case{"slit", "mlt", 1'500'000}));
+                      Case{"slit", "mlt", 1'500'000}, Case{"article-1", "bdpt", 50'000, large},
+                      Case{"article-1", "mlt", 200'000, large},
+                      Case{"article-1", "pssmlt", 200'000, large},
+                      Case{"article-1", "mmlt", 200'000, large},
+                      Case{"article-3", "mlt", 1'000'000, large}));
 
 }  // namespace
 }  // namespace wander::test

@@ -168,7 +168,7 @@ TYPED_TEST(Extremes, PathsOfHundredsOfVerticesHaveDensitiesAndWeights) {
     met = space.connect(x, 0);
   }
   for (int i = 0; i < longest; ++i) space.evaluate(x, i);
-  measure(space, x);
+  weigh(space, x);
   EXPECT_TRUE(x.contribution.is_positive());
   EXPECT_EQ(x.contribution.value(), 0);  // it is less than the least double
   double sum = 0;

@@ -95,7 +95,7 @@ TEST_P(Techniques, HaveWeightsThatSumToOne) {
 TEST_P(Techniques, AreMeasuredAsTheyAreWeighted) {
   for_each_path(2000, [&](const Space& space, const Path<Flatland>& x, int) {
     Path<Flatland> y = x;
-    measure(space, y);
+    weigh(space, y);
     ASSERT_EQ(y.contribution, contribution(x));
     Scaled sum;
     for (int s = 0; s <= x.size(); ++s) {

@@ -91,7 +91,8 @@ class Helps : public CommandLine {};
 
 TEST_F(Helps, UseTheWordsOfTheGlossary) {
   const Words unwanted = glossary().unwanted;
-  for (const char* verb : {"", "render", "trace", "compare", "check", "plot", "inspect", "gallery"})
+  for (const char* verb :
+       {"", "render", "trace", "compare", "check", "plot", "inspect", "gallery", "merge"})
     EXPECT_EQ(found_in(wander(std::string(verb) + " --help").out, unwanted), Words{}) << verb;
 }
 

@@ -1,9 +1,9 @@
 // README.md and docs/, followed word by word: every command is run in an empty folder, in the order
 // of its document, and what a document shows as printed is printed.
 //
-// Computations are shortened by one rule: `render` and `plot` compute 2k samples, `compare` 1k and
-// 2k twice, `check` 500.  What cannot be run is in `not_run`, with the reason; the files, options,
-// presets and targets that it names exist.
+// Computations are shortened by one rule: `render` and `plot` compute 2k samples, also as jobs of
+// GNU parallel, `compare` 1k and 2k twice, `check` 500.  What cannot be run is in `not_run`, with the
+// reason; the files, options, presets and targets that it names exist.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -37,8 +37,13 @@ const std::map<std::string, std::string> not_run{
     {"for", "computes four exact films"},
     {"echo", "is for the shell of the reader"},
 };
-// Of a mutation that the reader writes; the test OwnMutation follows that document.
-const std::string of_the_reader = "sensor_slide";
+// Of a mutation, a shape or a method that the reader writes; the test Extending follows that
+// document.
+bool is_of_the_reader(const std::string& line) {
+  const auto named = {"sensor_slide", "dish.json", "toss"};
+  return std::ranges::any_of(
+      named, [&](const char* name) { return line.find(name) != std::string::npos; });
+}
 
 struct Command {
   std::string line;
@@ -46,7 +51,7 @@ struct Command {
 };
 
 bool starts_command(const std::string& line) {
-  static const std::regex known("(wander|tools/[a-z0-9_]+|build/[a-z/_]+|cmake) .*");
+  static const std::regex known("(wander|parallel|tools/[a-z0-9_]+|build/[a-z/_]+|cmake) .*");
   return std::regex_match(line + " ", known);
 }
 
@@ -115,12 +120,18 @@ class Placeholders {
 std::string shortened(const std::string& line) {
   static const std::regex budget(R"( (-b|--budget|--budgets|--samples|--replicates) [^ ]+)");
   const std::string bare = std::regex_replace(line, budget, "");
+  if (line.starts_with("parallel "))
+    return std::regex_replace(bare, std::regex(" wander render [^ ]+"), "$& -b 2k");
   if (line.starts_with("wander compare ")) return bare + " -b 1k,2k --replicates 2";
   if (line.starts_with("wander check ")) return bare + " --samples 500";
   if (line.starts_with("wander render ") && line.find("--help") == std::string::npos)
     return bare + " -b 2k";
   const bool computes = bare != line || line.find(" --fluence") != std::string::npos;
   return computes ? bare + " -b 2k" : line;
+}
+
+bool is_run(const std::string& line) {
+  return line.starts_with("wander ") || line.starts_with("parallel wander ");
 }
 
 bool is_program(const std::string& name) {
@@ -177,9 +188,9 @@ Faults missing_results(const std::vector<Command>& commands) {
   return faults;
 }
 
-// A finished run is not replaced.
+// A finished run is not replaced without --force; {} stands for other names each time.
 Faults reused_outputs(const std::vector<Command>& commands) {
-  static const std::regex output(" -o ([a-z][^ ]*)");
+  static const std::regex output(" -o ([a-z][^ {]*)(?= |$)(?!.* --force)");
   Faults faults;
   std::set<std::string> outputs;
   for (const Command& command : commands)
@@ -203,8 +214,8 @@ class Followed : public CommandLine {
       wander("render gallery:slit -m bdpt -b 2k -q -o a-run");
     Placeholders placeholders;
     for (const Command& command : commands) {
-      if (command.line.find(of_the_reader) != std::string::npos) continue;
-      if (command.line.starts_with("wander ")) {
+      if (is_of_the_reader(command.line)) continue;
+      if (is_run(command.line)) {
         run(placeholders.filled(command.line), command.printed);
       } else {
         EXPECT_EQ(faults_of(command.line, text), Faults{}) << file;
@@ -220,9 +231,16 @@ class Followed : public CommandLine {
     // Two thousand samples may find no light where the command itself finds some.
     const bool is_dark = command != line && outcome.exit_code == 1 &&
                          outcome.err.find("found no light path") != std::string::npos;
+    // Five hundred may be too few for any test.
+    const bool is_untested = command != line && outcome.exit_code == 4 &&
+                             outcome.out.find("NOTHING COULD BE TESTED") != std::string::npos;
     const bool shows_faults = std::ranges::any_of(
         printed, [](const std::string& text) { return text.find("faulty.json:") == 0; });
-    EXPECT_EQ(outcome.exit_code, is_dark ? 1 : shows_faults ? 3 : 0) << command << outcome.err;
+    EXPECT_EQ(outcome.exit_code, is_dark        ? 1
+                                 : shows_faults ? 3
+                                 : is_untested  ? 4
+                                                : 0)
+        << command << outcome.err;
     if (command != line) return;
     const std::string all = "\n" + outcome.out + outcome.err;
     for (const std::string& text : printed)
@@ -250,6 +268,9 @@ TEST(Commands, ControlsOfTheirRules) {
   EXPECT_EQ(faults_of("build/release/bin/wander_bench", "").size(), 1u);
   EXPECT_EQ(missing_results({{"tools/figure4 --reference a=results/exact/a.json"}}).size(), 1u);
   EXPECT_EQ(reused_outputs({{"wander render a -o b"}, {"wander render c -o b"}}).size(), 1u);
+  EXPECT_EQ(reused_outputs({{"wander merge a -o b"}, {"wander merge c -o b --force"}}).size(), 0u);
+  EXPECT_EQ(shortened("parallel wander render a -b 5M -s {} ::: 1"),
+            "parallel wander render a -b 2k -s {} ::: 1");
   EXPECT_EQ(shortened("wander render a -m mlt -b 5s -o b"), "wander render a -m mlt -o b -b 2k");
 }
 

@@ -36,7 +36,7 @@ TEST(Dials, AreInTheOrderOfTheirIdsAndEachOfSomeMethod) {
     EXPECT_EQ(dial.id, static_cast<DialId>(i)) << dial.word;
     EXPECT_TRUE(std::ranges::any_of(methods(), [&](const Method& m) { return dial.is_of(m); }));
   }
-  EXPECT_EQ(dials().size(), static_cast<std::size_t>(DialId::kernel) + 1);
+  EXPECT_EQ(dials().size(), static_cast<std::size_t>(DialId::maps) + 1);
 }
 
 TEST(Dials, TakeWhatIsInTheirRange) {
@@ -46,6 +46,8 @@ TEST(Dials, TakeWhatIsInTheirRange) {
   EXPECT_EQ(turned("large_step", "1e-9").large_step, 1e-9);
   EXPECT_EQ(turned("kernel", "0.001").kernel, 0.001);
   EXPECT_EQ(turned("kernel", "100").kernel, 100);
+  EXPECT_EQ(turned("by_length", "on").film.by_length, Keep::always);
+  EXPECT_EQ(turned("maps", "on").film.maps, Keep::always);
 }
 
 TEST(Dials, RefuseWhatIsNot) {
@@ -55,6 +57,7 @@ TEST(Dials, RefuseWhatIsNot) {
     EXPECT_THROW(turned("large_step", text), UsageError) << text;
   for (const char* text : {"0", "0.0009", "100.1", "-1", "nan", "inf", "two", ""})
     EXPECT_THROW(turned("kernel", text), UsageError) << text;
+  for (const char* text : {"off", "1", ""}) EXPECT_THROW(turned("maps", text), UsageError) << text;
 }
 
 TEST(Dials, AreRefusedByMethodsThatDoNotHaveThem) {

@@ -29,7 +29,7 @@ void transfer(const Transport<W>& space, const Path<Flatland>& x, Path<W>& y) {
   }
   for (int i = 0; i + 1 < x.size(); ++i) space.connect(y, i);
   for (int i = 0; i < x.size(); ++i) space.evaluate(y, i);
-  measure(space, y);
+  weigh(space, y);
 }
 
 double relative_difference(Scaled a, Scaled b) { return std::abs((a / b).value() - 1); }

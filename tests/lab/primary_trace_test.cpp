@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "lab/trace.h"
-#include "mlt/run/multiplexed_chains.h"
 #include "tests/support/primary_runs.h"
 #include "tests/support/test_scenes.h"
 
@@ -14,7 +13,8 @@ namespace wander::test {
 namespace {
 
 using Flat = Transport<Flatland>;
-using Chains = MultiplexedChains<Flat, Kelemen>;
+using Chains = MmltChains<Flat, Kelemen, ExpectedValues>;
+using Shown = ShownChains<Flat, Chains>;
 
 constexpr ChainSettings settings{.seed_share = 0, .fewest_seeds = 4096};
 constexpr PrimaryKernel<Kelemen> kernel{Kelemen{}, default_large_step};
@@ -135,11 +135,11 @@ TEST(LengthsOfChains, AreInProportionToTheirLight) {
   const Room room(diffuse_room());
   const Session session = budget_of(1);
   wander::Run run(session);
-  const Chains seeded(room.space, kernel, run, settings);
+  const Shown shown(room.space, kernel, run, settings);
   constexpr int chains = 24;
   const std::vector<int> counts = chains_by_length(room, chains);
   for (std::size_t n = 0; n < counts.size(); ++n) {
-    const double share = seeded.tally().sum[n].value() / seeded.tally().total.value();
+    const double share = shown.tally().sum[n].value() / shown.tally().total.value();
     EXPECT_NEAR(counts[n], chains * share, 1) << n + 2;
   }
   EXPECT_NE(std::ranges::max(counts), std::ranges::min(counts));
@@ -149,12 +149,12 @@ TEST(LengthsOfChains, LastAsLongAsGroupsHaveSeedsOfThem) {
   const Room room(diffuse_room());
   const Session session = budget_of(1);
   wander::Run run(session);
-  const Chains seeded(room.space, kernel, run, settings);
-  const std::vector<int> counts = chains_by_length(room, seeded.count());
-  EXPECT_GT(seeded.count(), 2 * settings.groups);
+  const Shown shown(room.space, kernel, run, settings);
+  const std::vector<int> counts = chains_by_length(room, shown.count());
+  EXPECT_GT(shown.count(), 2 * settings.groups);
   EXPECT_LE(std::ranges::max(counts), settings.groups);
   EXPECT_GT(std::ranges::min(counts), 0);
-  EXPECT_THROW(seeded.chain(seeded.count()), std::runtime_error);
+  EXPECT_THROW(shown.chain(shown.count()), std::runtime_error);
   EXPECT_THROW(Room(dark_room()).trace(1, 1), NoLightFound);
 }
 

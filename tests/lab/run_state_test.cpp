@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "lab/drive.h"
 #include "lab/world_methods.h"
@@ -19,10 +20,14 @@ using nlohmann::ordered_json;
 struct Case {
   const char* method;
   StepEstimator estimator = StepEstimator::usual;
+  FilmLayout film{};
 };
+// As films of more than 2^14 bins are kept, with all that they may have.
+constexpr FilmLayout large{.most_small = 4, .by_length = Keep::always, .maps = Keep::always};
 std::string name_of_case(const Case& c) {
   std::string name = c.method;
   std::ranges::replace(name, '-', '_');
+  if (c.film == large) name += "_large";
   return name + (c.estimator == StepEstimator::usual     ? ""
                  : c.estimator == StepEstimator::kelemen ? "_kelemen"
                                                          : "_expected");
@@ -39,7 +44,7 @@ Session session_of(int threads) {
 template <World W>
 struct Made {
   Made(const Case& c, int threads)
-      : dials{.estimator = c.estimator, .chains = {.fewest_seeds = 4096}},
+      : dials{.estimator = c.estimator, .chains = {.fewest_seeds = 4096}, .film = c.film},
         session(session_of(threads)),
         job(mirror_and_glass(), find_method(c.method), dials),
         run(methods.make()) {}
@@ -107,7 +112,11 @@ INSTANTIATE_TEST_SUITE_P(Methods, RunState,
                          ::testing::Values(Case{"pt"}, Case{"lt"}, Case{"bdpt"}, Case{"pt-naive"},
                                            Case{"lt-naive"}, Case{"mlt"}, Case{"pssmlt"},
                                            Case{"pssmlt", StepEstimator::expected}, Case{"mmlt"},
-                                           Case{"mmlt", StepEstimator::kelemen}),
+                                           Case{"mmlt", StepEstimator::kelemen},
+                                           Case{"bdpt", StepEstimator::usual, large},
+                                           Case{"mlt", StepEstimator::usual, large},
+                                           Case{"pssmlt", StepEstimator::usual, large},
+                                           Case{"mmlt", StepEstimator::usual, large}),
                          [](const auto& info) { return name_of_case(info.param); });
 
 TEST_P(RunState, GoesOnWithTheSameBits) { expect_round_trips<Flatland>(GetParam()); }
@@ -134,13 +143,22 @@ TEST_P(RunState, ThatIsCutShortOrTooLongIsRefused) {
 
 // ---- budgets
 
+std::string bytes_of(const StateWriter& state) {
+  std::ostringstream bytes;
+  state(bytes);
+  return std::move(bytes).str();
+}
+
 // Kept every time it can be, a run to a budget can be carried on from any of these places.
 template <class MakeRun>
 void expect_carried_on(const Budget& budget, MakeRun&& make) {
   Session session = session_of(2);
   session.budget = budget;
   std::vector<KeptRun> kept;
-  const Keeper keeper{[&](const KeptRun& run) { kept.push_back(run); }, 1e-9, 1e-9};
+  const Keeper keeper{[&](const Headway& headway, const StateWriter& state) {
+                        kept.push_back({headway, bytes_of(state)});
+                      },
+                      1e-9, 1e-9};
   Run execution(session);
   const auto made = make(execution);
   const Rendering whole = drive(*made->run, execution, {}, keeper);
@@ -186,8 +204,8 @@ TEST(CarriedOn, AnInterruptedSeedPassLosesNothing) {
   std::atomic<bool> interrupted = false;
   std::vector<KeptRun> kept;
   session.interrupted = &interrupted;
-  const Keeper keeper{[&](const KeptRun& run) {
-                        kept.push_back(run);
+  const Keeper keeper{[&](const Headway& headway, const StateWriter& state) {
+                        kept.push_back({headway, bytes_of(state)});
                         interrupted = true;
                       },
                       1e-9, 1e-9};

@@ -72,9 +72,9 @@ Rendering by_chains(const Session& session, const ChainSettings& settings = {}) 
 Rendering by_samples(const Session& session) {
   const std::array shape{20};
   return sample_film("made", shape, 4, session, [] {
-    return [](Rng& rng, SampleFilm& film) {
+    return [](Rng& rng, Contributions& found) {
       WorkClock::work(3e-6);
-      film.add(3, 1, static_cast<int>(20 * rng.uniform()), 1);
+      found.push_back({3, 1, static_cast<int>(20 * rng.uniform()), 1});
     };
   });
 }

@@ -315,18 +315,15 @@ TEST(StepLogs, NeverGrowDuringSteps) {
   const Room room(mirror_and_glass());
   Session session;
   wander::Run run(session);
-  const SeededChains<Flat, Family> seeded(room.space, room.family, run, settings);
-  auto chain = seeded.chain(0);
-  Rng random = seeded.random(0);
+  const ShownChains<Flat, PathChains<Flat, Family>> shown(room.space, room.family, run, settings);
+  auto chain = shown.chain(0);
   StepLog log;
   log.reserve(2000, room.space.max_vertices(), 2);
   const auto* steps = log.steps().data();
   const auto* positions = log.positions().data();
   const auto* events = log.events().data();
-  for (std::uint64_t i = 0; i < 2000; ++i) {
-    random.start(i);
-    chain.step(random, [&](const Step<Flatland>& step) { log.add(room.space, step); });
-  }
+  for (int i = 0; i < 2000; ++i)
+    chain.step([&](const Step<Flatland>& step) { log.add(room.space, step); });
   EXPECT_EQ(log.steps().size(), 2000u);
   EXPECT_EQ(log.steps().data(), steps);
   EXPECT_EQ(log.positions().data(), positions);

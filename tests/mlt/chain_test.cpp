@@ -96,7 +96,7 @@ TEST_F(ChainStep, BeginsWithASeedThatTheChainHasMeasured) {
   const auto nothing = [](Path<W>&) {};
   const auto kernel = alone(Fixed<decltype(nothing)>{Proposal{1, 1}, nothing});
   Path<W> unmeasured = seed(space_), measured = unmeasured;
-  measure(space_, measured);
+  weigh(space_, measured);
   unmeasured.weights().clear();
   unmeasured.contribution = unmeasured.intensity = 0;
   EXPECT_TRUE(identical(Chain(space_, kernel, unmeasured).current(), measured));
@@ -161,7 +161,7 @@ TEST_P(FamilySteps, AnObserverSeesTheCurrentPathAndTheProposal) {
       proposed = step.proposed;
     });
     if (accepted) {
-      measure(space_, proposed);
+      weigh(space_, proposed);
       ASSERT_TRUE(identical(proposed, chain.current()));
     }
     before = chain.current();
@@ -178,7 +178,7 @@ TEST_P(FamilySteps, TheStateIsNeverStale) {
     const Path<W>& x = chain.current();
     Path<W> fresh = x;
     for (int k = 0; k < x.size(); ++k) space_.evaluate(fresh, k);
-    measure(space_, fresh);
+    weigh(space_, fresh);
     ASSERT_TRUE(identical(x, fresh)) << path_class(x);
     double sum = 0;
     for (const double w : x.weights()) sum += w;

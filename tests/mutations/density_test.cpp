@@ -48,7 +48,7 @@ TEST_F(SmoothRoom, TheLargeStepProposesTwoVerticesWithTheDensityThatItClaims) {
     put(z, 0, light_wall, u[0]);
     put(z, 1, sensor_wall, u[1]);
     if (!complete(z)) return 0.0;
-    measure(space_, z);
+    weigh(space_, z);
     return area * large_density(space_, large, z);
   };
   double total = 0;
@@ -93,7 +93,7 @@ TEST_F(SmoothRoom, TheLargeStepProposesThreeVerticesWithTheDensityThatItClaims) 
       put(z, 1, wall, u[1]);
       put(z, 2, sensor_wall, u[2]);
       if (!complete(z)) return 0.0;
-      measure(space_, z);
+      weigh(space_, z);
       return area * large_density(space_, large, z);
     };
     Box<3> box;

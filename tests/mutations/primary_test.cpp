@@ -175,7 +175,7 @@ TEST_P(InverseMap, OfASmallStepHasTheDensitiesOfOneTechnique) {
     numbers.start(i);
     sampler.sample(random, [&](const Path<W>& found, int, double) {
       x = found;
-      measure(space, x);
+      weigh(space, x);
       Rng again = numbers;
       const auto s = static_cast<std::size_t>(again.choose(x.weights()));
       const Proposed proposed = PrimarySmall{}.propose(space, x, y, numbers);

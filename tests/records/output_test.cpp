@@ -336,6 +336,7 @@ TEST_F(Output, ARunReadsBackFromItsDirectoryToTheLastBit) {
   const description::Segment segment{{0, 0, 0}, {1, 0, 0}};
   EXPECT_FALSE(holds_run(folder));
   write_run(run, scene_with_sensor(segment, 3), folder);
+  EXPECT_EQ(contents(folder / "run.json"), to_json(run).dump(1) + "\n");
   EXPECT_TRUE(holds_run(folder));
   EXPECT_EQ(to_json(read_run(folder)), to_json(run));
   EXPECT_EQ(to_json(read_run(folder / "run.json")), to_json(run));

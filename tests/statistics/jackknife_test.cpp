@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+
+#include "statistics/decision.h"
 
 namespace wander::test {
 namespace {
@@ -19,6 +22,48 @@ TEST(Jackknife, OfAMeanIsTheStandardErrorOfTheMean) {
   }
   EXPECT_DOUBLE_EQ(jackknife_error(without), std::sqrt(squares / (8 * 7)));
   EXPECT_TRUE(std::isnan(jackknife_error(std::vector<double>{1})));
+}
+
+// θ = Σ w x / W; what is left is Σ w² (x - θ)² / (W (W - w)).
+TEST(Jackknife, OfAWeightedMeanIsItsError) {
+  const std::vector<double> x{3, 1, 4, 1, 5}, w{1, 2, 7, 2, 4};
+  double total = 0, sum = 0, variance = 0;
+  for (std::size_t g = 0; g < x.size(); ++g) {
+    total += w[g];
+    sum += w[g] * x[g];
+  }
+  std::vector<double> without;
+  for (std::size_t g = 0; g < x.size(); ++g) {
+    without.push_back((sum - w[g] * x[g]) / (total - w[g]));
+    variance += std::pow(w[g] * (x[g] - sum / total), 2) / (total * (total - w[g]));
+  }
+  EXPECT_DOUBLE_EQ(jackknife_error(without, w), std::sqrt(variance));
+  const std::vector<double> equal(x.size(), 0.3);
+  EXPECT_DOUBLE_EQ(jackknife_error(without, equal), jackknife_error(without));
+}
+
+// Means of w independent numbers: the expectation of the square is the variance.  False alarm 1e-6;
+// control: without the weights it is far from it.
+TEST(Jackknife, OfGroupsOfUnequalSizesIsUnbiased) {
+  const std::vector<double> w{1, 1, 2, 3, 5, 8, 13, 21};
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> normal;
+  Moments weighted, unweighted;
+  for (int trial = 0; trial < 20'000; ++trial) {
+    std::vector<double> x, without;
+    double total = 0, sum = 0;
+    for (const double each : w) {
+      x.push_back(normal(random) / std::sqrt(each));
+      total += each;
+      sum += each * x.back();
+    }
+    for (std::size_t g = 0; g < w.size(); ++g)
+      without.push_back((sum - w[g] * x[g]) / (total - w[g]));
+    weighted.add(total * std::pow(jackknife_error(without, w), 2));
+    unweighted.add(total * std::pow(jackknife_error(without), 2));
+  }
+  EXPECT_NEAR(weighted.mean(), 1, 5 * weighted.standard_error());
+  EXPECT_GT(std::abs(unweighted.mean() - 1), 20 * unweighted.standard_error());
 }
 
 TEST(Jackknife, HasAsManyDegreesOfFreedomAsGroupsThatMoveIt) {
@@ -39,6 +84,15 @@ TEST(RatioJackknife, SharesAWholeAndLeavesGroupsOut) {
   EXPECT_DOUBLE_EQ(jackknife.error(0, std::vector<double>{1, 1, 1}), std::sqrt(2.0 / 3 * 2 / 64));
   // b that moves against the share takes the error away.
   EXPECT_NEAR(jackknife.error(0, std::vector<double>{4.0 / 5, 1, 4.0 / 3}), 0, 1e-15);
+}
+
+// A group of weight 2 whose numbers are twice as large as if it weighed 1.
+TEST(RatioJackknife, WeighsItsErrorAsTheGroups) {
+  const std::vector<std::vector<double>> groups{{1, 3}, {4, 4}, {3, 1}};
+  const std::vector<double> weights{1, 2, 1}, b{1, 1, 1};
+  const RatioJackknife jackknife(groups, weights);
+  const std::vector<double> without{7.0 / 12, 4.0 / 8, 5.0 / 12};
+  EXPECT_DOUBLE_EQ(jackknife.error(0, b), jackknife_error(without, weights));
 }
 
 TEST(RatioJackknife, WithoutTheOnlyGroupThatHoldsAnythingIsUnknown) {

@@ -84,7 +84,7 @@ class Kirchhoff {
   bool is_light(const Vertex<W>& v) const { return pmf_[index(v.place.shape)] > 0; }
   bool is_sensor(const Vertex<W>& v) const { return flat_.is_sensor(v); }
   bool sensor_can_be_hit() const { return true; }
-  W::Square film(const Path<W>& x) const { return flat_.film(x); }
+  W::Square film_position(const Path<W>& x) const { return flat_.film_position(x); }
   int bin(const Path<W>& x) const { return flat_.bin(x); }
 
   // The share of light towards `sensor_side` that is scattered light of a room where L = 1.

@@ -185,12 +185,12 @@ struct Clamped {
       return real;
     }
     Square end_parameter(const Path<W>&, int) const { return middle(); }
-    Square film(const Path<W>&) const { return middle(); }
+    Square film_position(const Path<W>&) const { return middle(); }
     void move_end(Path<W>& y, int i, Square u) const {
       Space::move_end(y, i, from(Space::end_parameter(*start, i), u));
     }
     bool aim_film(Path<W>& y, int i, Square film) const {
-      return Space::aim_film(y, i, from(Space::film(*start), film));
+      return Space::aim_film(y, i, from(Space::film_position(*start), film));
     }
   };
 };

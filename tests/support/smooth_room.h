@@ -49,7 +49,7 @@ class SmoothRoom : public ::testing::Test {
     int i = 0;
     for (const auto& [wall, position] : places) put(x, i++, wall, position);
     EXPECT_TRUE(complete(x));
-    measure(space_, x);
+    weigh(space_, x);
     return x;
   }
   double length(ShapeId wall) const {

@@ -181,7 +181,7 @@ struct FlawedSmallStep {
     Reason reason = join(space, y, s);
     if (reason == Reason::none) reason = evaluate(space, y, 0, n - 1);
     if (reason != Reason::none) return Failure{reason};
-    measure(space, y);
+    weigh(space, y);
     const auto label = static_cast<std::size_t>(s);
     const bool weighted = flaw != SmallStepFlaw::no_weights;
     return Proposal{Scaled(weighted ? x.weights()[label] : 1) * moves * technique_density(y, s),

@@ -170,6 +170,7 @@ TEST(Radiosity, SensorAndBinsFollowTheDirectionOfTheWall) {
 
 description::Scene described() {
   using namespace description;
+  using description::Segment, description::Shape;
   Scene scene;
   scene.max_vertices = 5;
   scene.materials = {Material{"plaster", Diffuse{Quantity{{0.5, 0.5, 0.5}, false}}},

@@ -75,6 +75,17 @@ TEST(CheckReport, HasTheSameInItsDocument) {
   EXPECT_EQ(json["not_tested"][1]["reason"], "it sees nothing");
 }
 
+TEST(CheckReport, ThatHasNoTestHasNotPassed) {
+  CheckReport report = report_of(true);
+  EXPECT_TRUE(report.passed());
+  report.methods.erase(report.methods.begin());
+  report.mutations.front().report.one_step = report.mutations.front().report.flux = undecided();
+  EXPECT_FALSE(report.passed());
+  EXPECT_HAS(text_of(report),
+             "NOTHING COULD BE TESTED: 0 tests passed, 0 failed, 4 could not be made:\n");
+  EXPECT_FALSE(report_of(false).passed());
+}
+
 // ---- as it goes
 
 TEST_F(CommandLine, CheckSaysWhatItDoesAsItGoes) {

@@ -63,11 +63,15 @@ TEST_F(CommandLine, CheckFindsNoLightAndSaysSo) {
   EXPECT_TRUE(json::parse(check.out).contains("error"));
 }
 
-TEST_F(CommandLine, CheckThatHasTooFewSamplesDecidesNothing) {
+TEST_F(CommandLine, CheckThatCouldTestNothingHasNotPassed) {
   const Outcome check = wander("check box.json --samples 10");
-  EXPECT_EQ(check.exit_code, 0) << check.err;
+  EXPECT_EQ(check.exit_code, 4) << check.err;
   EXPECT_HAS(check.out, "not tested: it moved");
-  EXPECT_HAS(check.out, "nothing could be tested");
+  EXPECT_HAS(check.out, "NOTHING COULD BE TESTED: 0 tests passed, 0 failed, ");
+  const Outcome document = wander("check box.json --samples 10 --json");
+  EXPECT_EQ(document.exit_code, 4);
+  EXPECT_EQ(json::parse(document.out)["passed"], false);
+  EXPECT_HAS(wander("check --help").out, "when none could be made");
 }
 
 TEST_F(CommandLine, CheckRefusesWhatItCannotDo) {
@@ -121,7 +125,7 @@ TEST(Check, SaysThatAMutationCannotActRatherThanThatItIsRight) {
   ASSERT_EQ(checks.size(), 1u);
   EXPECT_EQ(verdict_of(checks[0].report), Verdict::untested);
   const CheckReport report{.samples = 1000, .steps = 20, .mutations = checks};
-  EXPECT_TRUE(report.passed());
+  EXPECT_FALSE(report.passed());  // nothing was tested
   EXPECT_HAS(text_of(report), "idle  not tested: it cannot act on any of the ");
 }
 

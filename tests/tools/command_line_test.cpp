@@ -27,8 +27,8 @@ TEST_F(CommandLine, HelpNamesEveryVerbThatExistsAndNoOther) {
   const Outcome help = wander("--help");
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
-  for (const char* word :
-       {"render", "trace", "compare", "inspect", "gallery", "plot", "check", "Exit codes", "130"})
+  for (const char* word : {"render", "trace", "compare", "inspect", "gallery", "plot", "check",
+                           "merge", "Exit codes", "130"})
     EXPECT_HAS(help.out, word);
 }
 
@@ -40,7 +40,7 @@ TEST_F(CommandLine, WithoutAVerbTheProgramExplainsItself) {
 
 TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
   for (const std::string verb :
-       {"render", "trace", "compare", "inspect", "gallery", "plot", "check"}) {
+       {"render", "trace", "compare", "inspect", "gallery", "plot", "check", "merge"}) {
     const Outcome help = wander(verb + " --help");
     EXPECT_EQ(help.exit_code, 0) << verb;
     EXPECT_HAS(help.out, "wander " + verb);
@@ -86,6 +86,21 @@ TEST_F(CommandLine, EveryMistakeInTheCommandLineIsExitTwo) {
     EXPECT_NE(outcome.err, "") << arguments;
     EXPECT_EQ(entries(), 1U) << arguments;
   }
+}
+
+// Whoever leaves out `gallery:` is told, with a folder of that name or without.
+TEST_F(CommandLine, ANameOfTheGalleryIsRecognized) {
+  fs::create_directory(folder / "slit");
+  for (const char* source : {"slit", "slit/", "./slit", "lens", "lens.json"}) {
+    const Outcome outcome = wander("render " + std::string(source) + " -m pt -o o");
+    EXPECT_EQ(outcome.exit_code, 3) << source;
+    EXPECT_HAS(outcome.err,
+               std::string("or did you mean gallery:") +
+                   (std::string(source).find("slit") != std::string::npos ? "slit" : "lens"));
+  }
+  EXPECT_LACKS(wander("inspect none.json").err, "gallery:");
+  write("slit.json", "{}");
+  EXPECT_LACKS(wander("inspect slit.json").err, "gallery:");  // a file, if not a scene
 }
 
 TEST_F(CommandLine, AMistypedWordIsAnsweredWithTheNearest) {

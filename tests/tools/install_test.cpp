@@ -57,9 +57,31 @@ TEST_F(Installation, BashCompletesVerbsOptionsMethodsAndScenes) {
   EXPECT_EQ(offered("wander render box.json -o "), " ");  // files, by bash itself
 }
 
+// Of every option that takes one of a few words, in the words of its own messages.
+TEST_F(Installation, ShellsCompleteTheWordsOfOptions) {
+  EXPECT_EQ(offered("wander plot t.nc --figure a"), "acceptance all autocorrelation ");
+  EXPECT_EQ(offered("wander render box.json -m mlt --normalization "),
+            "bridge least-squares seed ");
+  EXPECT_EQ(offered("wander render box.json --estimator=k"), "kelemen ");
+  EXPECT_EQ(offered("wander render box.json --precision "), "double float ");
+  EXPECT_EQ(offered("wander plot a.csv --layout p"), "panels ");
+  EXPECT_EQ(offered("wander render box.json --progress "), "auto bar json none ");
+  const std::string zsh = contents(folder / "usr/share/zsh/site-functions/_wander"),
+                    fish = contents(folder / "usr/share/fish/vendor_completions.d/wander.fish");
+  for (const char* words : {"paths trace acceptance autocorrelation density all",
+                            "seed least-squares bridge", "kelemen expected"}) {
+    EXPECT_HAS(zsh, "(" + std::string(words) + ")");
+    EXPECT_HAS(fish, "-x -a '" + std::string(words) + "'");
+  }
+  for (const char* command :
+       {"render box.json -m mlt -o o --normalization x",
+        "render box.json -m pssmlt -o o --estimator x", "plot box.json -o o.svg --figure x"})
+    EXPECT_HAS(wander(command).err, "allowed are ");
+}
+
 TEST_F(Installation, EveryOptionOfEveryVerbIsCompleted) {
   for (const std::string verb :
-       {"render", "trace", "compare", "inspect", "gallery", "plot", "check"}) {
+       {"render", "trace", "compare", "inspect", "gallery", "plot", "check", "merge"}) {
     const std::string options =
         shell("\"$WANDER\" " + verb +
               " --help | grep -oE '^  (-.,)?--[a-z-]+' | grep -oE -- '--.*'")
@@ -97,6 +119,22 @@ TEST_F(Installation, TheManualPageIsThatOfTheProgram) {
   const Outcome set = shell("groff -man -Tutf8 -ww -k -z usr/share/man/man1/wander.1");
   EXPECT_EQ(set.exit_code, 0);
   EXPECT_EQ(set.err, "");
+}
+
+TEST_F(Installation, TheManualPageFitsATerminal) {
+  if (!has("man")) GTEST_SKIP() << "man is not installed";
+  const Outcome shown = shell(
+      "MANWIDTH=80 LC_ALL=C.UTF-8 man -l usr/share/man/man1/wander.1 >page && "
+      "LC_ALL=C.UTF-8 wc -L <page");
+  ASSERT_EQ(shown.exit_code, 0) << shown.err;
+  EXPECT_GT(std::stoi(shown.out), 60);
+  EXPECT_LE(std::stoi(shown.out), 90);
+  const std::string page = contents(folder / "page");
+  // Lists and commands have stayed such.
+  for (const char* line :
+       {"\n       mlt    Metropolis", "\n       130    interrupted",
+        "         wander trace scene.json --steps 2000 --chains 4 -o chains.nc\n"})
+    EXPECT_HAS(page, line);
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ class Overwriting : public CommandLine {
     const Outcome outcome = shell("timeout 20 \"$WANDER\" " + command);
     EXPECT_EQ(outcome.exit_code, 2) << command << "\n" << outcome.err;
     EXPECT_HAS(outcome.err, "--force");
-    EXPECT_EQ(outcome.err.find("--continue") != std::string::npos, command.starts_with("render"));
+    EXPECT_EQ(outcome.err.find("--continue") != std::string::npos,
+              command.starts_with("render") || command.starts_with("compare"));
     const Outcome with_json = shell("timeout 20 \"$WANDER\" " + command + " --json");
     EXPECT_EQ(with_json.exit_code, 2) << command;
     EXPECT_HAS(json::parse(with_json.out).at("error").at("message").get<std::string>(), "--force");

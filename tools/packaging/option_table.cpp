@@ -5,7 +5,10 @@
 #include <string_view>
 
 #include "lab/method.h"
+#include "lab/parsing.h"
 #include "scenes/gallery_scenes.h"
+#include "tools/plot_options.h"
+#include "tools/verb.h"
 
 namespace wander::packaging {
 
@@ -17,6 +20,22 @@ Values values_of(std::string_view value) {
   if (value == "SCENE" || value == "FILE") return Values::scenes;
   if (value == "NAME") return Values::gallery_names;
   return Values::files;
+}
+
+// Of options that take one of a few words.
+std::vector<std::string> choices_of(const std::string& option) {
+  const auto all = [](const auto& words) {
+    return std::vector<std::string>(words.begin(), words.end());
+  };
+  if (option == "--figure") return all(figure_words);
+  if (option == "--layout") return all(layout_words);
+  if (option == "--normalization") return all(normalization_words);
+  if (option == "--estimator") return all(estimator_words);
+  if (option == "--progress") return all(progress_words);
+  if (option != "--precision") return {};
+  std::vector<std::string> names;
+  for (const Precision precision : precisions) names.emplace_back(name_of(precision));
+  return names;
 }
 
 std::vector<std::string> words_of(Values values, std::string_view verb) {
@@ -45,6 +64,8 @@ OptionEntry entry_of(const CLI::Option& option, const std::string& verb) {
   const bool names_a_scene = values == Values::scenes || values == Values::gallery_names;
   if (!names_a_scene || option.get_positional()) entry.values = values;
   entry.words = words_of(entry.values, verb);
+  if (!option.get_lnames().empty() && entry.words.empty())
+    entry.words = choices_of("--" + option.get_lnames().front());
   return entry;
 }
 

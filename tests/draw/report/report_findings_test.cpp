@@ -9,6 +9,7 @@
 #include "draw/report/energy.h"
 #include "draw/report/numbers.h"
 #include "draw/report/spread.h"
+#include "draw/report/table.h"
 #include "tests/support/statistics.h"
 
 namespace wander::report {
@@ -101,6 +102,7 @@ TEST(ReportNumbers, HaveFewDigitsAndNoWordsForWhatIsNoNumber) {
   EXPECT_EQ(rounded(0.0), "0");
   EXPECT_EQ(rounded(not_known), unknown_number);
   EXPECT_EQ(rounded(INFINITY), unknown_number);
+  EXPECT_EQ(rounded(compare::Interval{}), unknown_number);
 }
 
 TEST(ReportNumbers, IntervalsHaveTheDigitsThatTheirWidthNeeds) {
@@ -109,6 +111,17 @@ TEST(ReportNumbers, IntervalsHaveTheDigitsThatTheirWidthNeeds) {
   EXPECT_EQ(with_interval({2, {1.6, not_known}}), "2.00 [1.60, ?]");
   EXPECT_EQ(with_interval({2, {}}), "2.00");
   EXPECT_EQ(with_interval({not_known, {1, 2}}), unknown_number);
+}
+
+TEST(ReportNumbers, AnIntervalThatIsNotKnownIsMarked) {
+  Table table = named_rows("caption", "contender", {"a", "b"});
+  table.add_measured("error", {{2, {1.6, 2.5}}, {3, {}}});
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.rows[0].at(2), "[1.60, 2.50]");
+  EXPECT_EQ(table.rows[1].at(2), unknown_number);
+  Table without = named_rows("caption", "contender", {"a"});
+  without.add_measured("error", {{3, {}}});
+  EXPECT_EQ(without.rows[0].size(), 2u);  // no column of intervals where none is known
 }
 
 TEST(ReportNumbers, ColumnsShareTheirDecimals) {

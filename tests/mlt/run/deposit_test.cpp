@@ -40,9 +40,9 @@ TEST_P(Deposit, OfNStepsSumsToNAndNeverFallsOutside) {
   for (std::uint64_t i = 0; i < steps; ++i) {
     random.start(i);
     chain.step(random, [&](const Step<W>& step) {
-      for (const double u : space.film(step.current)) ASSERT_TRUE(u >= 0 && u < 1) << u;
+      for (const double u : space.film_position(step.current)) ASSERT_TRUE(u >= 0 && u < 1) << u;
       if (step.acceptance > 0) {
-        for (const double u : space.film(step.proposed)) ASSERT_TRUE(u >= 0 && u < 1) << u;
+        for (const double u : space.film_position(step.proposed)) ASSERT_TRUE(u >= 0 && u < 1) << u;
       }
       deposit(space, step, space.bin(step.current), film);
     });

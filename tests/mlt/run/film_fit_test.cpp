@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr std::size_t groups = 32, bins = 24;
 constexpr double b = 3;
+constexpr std::array row{static_cast<int>(bins)};
 
 // A film of mean one.
 double shape(std::size_t j) { return 1 + 0.5 * std::sin(0.3 * static_cast<double>(j)); }
@@ -52,7 +54,7 @@ std::vector<FilmFitGroup> simulate(double seeds, double chains, std::uint64_t se
 }
 
 TEST(FilmFit, OfFilmsWithoutNoiseIsTheirFactor) {
-  const FilmFit fit = fit_films(simulate(1e-9, 0, 1));
+  const FilmFit fit = fit_films(simulate(1e-9, 0, 1), row);
   ASSERT_TRUE(fit.failure.empty()) << fit.failure;
   EXPECT_NEAR(fit.b, b, 1e-8);
   for (const double without : fit.without) EXPECT_NEAR(without, b, 1e-8);
@@ -60,10 +62,10 @@ TEST(FilmFit, OfFilmsWithoutNoiseIsTheirFactor) {
 
 TEST(FilmFit, OfAMultipleByAPowerOfTwoIsThatMultiple) {
   std::vector<FilmFitGroup> data = simulate(0.3, 0.1, 2);
-  const FilmFit fit = fit_films(data);
+  const FilmFit fit = fit_films(data, row);
   for (FilmFitGroup& group : data)
     for (double& value : group.found) value = std::ldexp(value, 90);
-  EXPECT_EQ(fit_films(data).b, std::ldexp(fit.b, 90));
+  EXPECT_EQ(fit_films(data, row).b, std::ldexp(fit.b, 90));
 }
 
 TEST(FilmFit, SaysWhyThereIsNoFactor) {
@@ -72,7 +74,34 @@ TEST(FilmFit, SaysWhyThereIsNoFactor) {
   for (std::size_t g = 0; g < groups; g += 2)
     for (double& value : dark[g].found) value = 0;
   for (FilmFitGroup& group : narrow) group.found.resize(1), group.deposits.resize(1);
-  for (const auto& data : {few, dark, narrow}) EXPECT_FALSE(fit_films(data).failure.empty());
+  for (const auto& data : {few, dark, narrow}) EXPECT_FALSE(fit_films(data, row).failure.empty());
+}
+
+// A spike in the last column of an image of 8 × 8: bins in the first column of the next row are next
+// to it by their index, not on the film.
+TEST(FilmFit, SmoothsOverWhatLiesSideBySide) {
+  constexpr std::size_t width = 8;
+  constexpr std::array image{static_cast<int>(width), static_cast<int>(width)};
+  std::vector<double> film(width * width);
+  film[3 * width + 7] = 15;
+  const std::vector<double> smooth = smoothed(film, image);
+  for (std::size_t y = 0; y < width; ++y)
+    for (std::size_t x = 0; x < width; ++x) {
+      // The windows that hold the spike are 3, 4 or 5 columns wide and 4 or 5 rows high.
+      const bool holds = x >= 5 && y >= 1 && y <= 5;
+      const double columns = static_cast<double>(std::min<std::size_t>(7, x + 2) - (x - 2) + 1);
+      const double rows = y == 1 ? 4 : 5;
+      EXPECT_DOUBLE_EQ(smooth[y * width + x], holds ? 15 / (columns * rows) : 0) << x << ' ' << y;
+    }
+}
+
+// The wrong twin: in index order the film is one row, and the spike runs over into the next.
+TEST(FilmFit, InIndexOrderAnImageWrapsAround) {
+  std::vector<double> film(64);
+  film[3 * 8 + 7] = 15;
+  const std::vector<double> smooth = smoothed(film, std::array{64});
+  EXPECT_EQ(smooth[4 * 8], 3);
+  EXPECT_EQ(smooth[2 * 8 + 7], 0);
 }
 
 // What a fit may not do: weights from the data that they weigh [Neyman's χ²].
@@ -101,7 +130,7 @@ TEST(FilmFit, ItsIntervalCoversAndThatOfSameDataIsBiased) {
   double covered = 0, bias = 0, squares = 0, twin_bias = 0;
   for (int run = 0; run < runs; ++run) {
     const auto data = simulate(1.2, 0.2, static_cast<std::uint64_t>(100 + run));
-    const FilmFit fit = fit_films(data);
+    const FilmFit fit = fit_films(data, row);
     ASSERT_TRUE(fit.failure.empty());
     const double error = jackknife_error(fit.without);
     covered += std::abs(fit.b - b) <= 2.04 * error ? 1 : 0;

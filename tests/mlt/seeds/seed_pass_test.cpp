@@ -111,7 +111,7 @@ TEST_P(SeedPass, AReplayedSeedIsTheSamePathBitForBit) {
     ASSERT_NE(original, found.end());
     EXPECT_EQ(original->weight, seed.weight);
     EXPECT_TRUE(identical(replayed, original->path));
-    measure(space_, replayed);
+    weigh(space_, replayed);
     EXPECT_TRUE(replayed.contribution.is_positive());
   }
 }

@@ -93,7 +93,8 @@ struct Recounts {
     by_length[step.current.size()].add(step);
     by_class[path_class(step.current)].add(step);
     if (step.acceptance > 0) {
-      const double jump = space.film(step.proposed)[0] - space.film(step.current)[0];
+      const double jump =
+          space.film_position(step.proposed)[0] - space.film_position(step.current)[0];
       squared_jump += step.acceptance * jump * jump;
     }
     run = step.accepted() ? 0 : run + 1;

@@ -13,6 +13,7 @@ namespace wander {
 namespace {
 
 using namespace description;
+using description::Arc, description::Segment, description::Shape;
 
 Shape shape(ShapeKind kind) {
   Shape result;

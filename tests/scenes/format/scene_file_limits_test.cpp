@@ -2,11 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
 #include <random>
+#include <set>
 
-#include "scenes/format/json_schema.h"
+#include "scenes/format/json_explain.h"
 #include "scenes/format/scene_file_schema.h"
 #include "tests/scenes/format/scene_texts.h"
+#include "tests/support/schema_verdict.h"
 
 namespace wander {
 namespace {
@@ -91,10 +97,50 @@ TEST(SceneSchema, IsExplainedExactlyWhereItIsViolated) {
     const JsonReading reading = read_json(text);
     if (!reading.document || !reading.faults.empty()) continue;
     const Explanation why = explain(*reading.document, scene_schema_text);
-    ASSERT_EQ(why.faults.empty(), conforms(*reading.document, scene_schema_text)) << text;
+    ASSERT_EQ(why.faults.empty(), test::conforms(*reading.document, scene_schema_text)) << text;
     if (!why.faults.empty()) ++violated;
   }
   EXPECT_GT(violated, 50);
+}
+
+// Keywords that the walk does not know: it would let pass what they forbid.
+void add_unknown_keywords(const nlohmann::json& schema, std::set<std::string>& unknown) {
+  static const std::set<std::string> alone{
+      "$schema",  "$comment", "$ref",      "title",     "description",     "type",
+      "required", "const",    "enum",      "minimum",   "maximum",         "exclusiveMinimum",
+      "minItems", "maxItems", "minLength", "maxLength", "exclusiveMaximum"};
+  static const std::set<std::string> of_a_schema{
+      "if", "then", "else", "not", "items", "contains", "additionalProperties"};
+  if (!schema.is_object()) return;
+  for (const auto& [keyword, value] : schema.items()) {
+    if (of_a_schema.contains(keyword))
+      add_unknown_keywords(value, unknown);
+    else if (keyword == "properties" || keyword == "definitions" || keyword == "allOf")
+      for (const auto& part : value) add_unknown_keywords(part, unknown);
+    else if (!alone.contains(keyword))
+      unknown.insert(keyword);
+  }
+}
+
+TEST(SceneSchema, HasNoKeywordThatTheWalkDoesNotKnow) {
+  const auto unknown_in = [](const char* text) {
+    std::set<std::string> unknown;
+    add_unknown_keywords(nlohmann::json::parse(text), unknown);
+    return unknown;
+  };
+  EXPECT_EQ(unknown_in(scene_schema_text), std::set<std::string>{});
+  EXPECT_EQ(unknown_in(R"({"properties": {"pattern": {"pattern": "x"}}, "oneOf": []})"),
+            (std::set<std::string>{"oneOf", "pattern"}));
+}
+
+// valijson is here to agree with: in the program it would judge every scene a second time.
+TEST(SceneSchema, IsJudgedOnce) {
+  for (const auto& entry : std::filesystem::directory_iterator(
+           std::filesystem::path(WANDER_SOURCE) / "scenes/format")) {
+    std::ifstream file(entry.path());
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    EXPECT_EQ(text.find("#include <valijson"), std::string::npos) << entry.path();
+  }
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ namespace wander {
 namespace {
 
 using namespace description;
+using description::Arc, description::Segment, description::Shape;
 
 const Quantity grey(double value) { return {{value, value, value}, false}; }
 

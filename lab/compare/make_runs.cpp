@@ -1,7 +1,8 @@
-#include "lab/compare/measure.h"
+#include "lab/compare/make_runs.h"
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <utility>
 
 #include "lab/compare/schedule.h"
@@ -53,6 +54,33 @@ std::string name_of(const Plan& plan, const Turn& turn) {
                      plan.budgets[turn.budget].text, turn.replicate + 1, plan.replicates);
 }
 
+std::vector<Turn> turns_of(const Plan& plan) {
+  return schedule({plan.entrants.size(), plan.budgets.size(), plan.replicates}, plan.seed);
+}
+
+// None if it was interrupted.
+std::optional<FinishedTurn> made(const Plan& plan, const Turn& turn, Course& course) {
+  try {
+    Rendering rendering =
+        course.render(plan.entrants[turn.contender].job.value(), plan.budgets[turn.budget].budget,
+                      turn.seed, name_of(plan, turn));
+    if (!rendering.complete) return std::nullopt;
+    FinishedTurn finished{.run = run_of(plan, turn, rendering)};
+    if (turn.replicate == 0 && turn.budget + 1 == plan.budgets.size())
+      finished.details = std::move(rendering);
+    return finished;
+  } catch (const NoLightFound& dark) {
+    return FinishedTurn{
+        .failure = FailedRun{turn.contender, turn.budget, turn.replicate, turn.seed, dark.what()}};
+  }
+}
+
+void add(FinishedTurn finished, Runs& runs) {
+  if (finished.details) runs.details[finished.run->contender] = *std::move(finished.details);
+  if (finished.run) runs.runs.push_back(*std::move(finished.run));
+  if (finished.failure) runs.failures.push_back(*std::move(finished.failure));
+}
+
 }  // namespace
 
 double reference_effort(const Plan& plan) {
@@ -78,6 +106,12 @@ double effort_of(const Plan& plan) {
   return of_one * static_cast<double>(plan.entrants.size() * plan.replicates);
 }
 
+double effort_of(const Plan& plan, const std::vector<Turn>& turns) {
+  double effort = 0;
+  for (const Turn& turn : turns) effort += effort_of(plan.budgets[turn.budget].budget);
+  return effort;
+}
+
 Runs prepared(const Plan& plan, Provenance provenance) {
   Runs runs{.provenance = std::move(provenance), .replicates = plan.replicates};
   for (const Entrant& entrant : plan.entrants) runs.contenders.push_back(entrant.contender);
@@ -87,25 +121,27 @@ Runs prepared(const Plan& plan, Provenance provenance) {
   return runs;
 }
 
-void measure(const Plan& plan, Course& course, Runs& runs) {
-  const Grid grid{plan.entrants.size(), plan.budgets.size(), plan.replicates};
-  for (const Turn& turn : schedule(grid, plan.seed)) {
-    runs.complete = !course.is_interrupted();
-    if (!runs.complete) return;
-    try {
-      Rendering rendering =
-          course.render(plan.entrants[turn.contender].job.value(), plan.budgets[turn.budget].budget,
-                        turn.seed, name_of(plan, turn));
-      runs.complete = rendering.complete;
-      if (!runs.complete) return;
-      runs.runs.push_back(run_of(plan, turn, rendering));
-      if (turn.replicate == 0 && turn.budget + 1 == plan.budgets.size())
-        runs.details[turn.contender] = std::move(rendering);
-    } catch (const NoLightFound& dark) {
-      runs.failures.push_back(
-          {turn.contender, turn.budget, turn.replicate, turn.seed, dark.what()});
+std::vector<Turn> turns_to_come(const Plan& plan, const KeptComparison& kept) {
+  std::vector<Turn> turns = turns_of(plan);
+  std::erase_if(turns, [&](const Turn& turn) { return kept.has(turn); });
+  return turns;
+}
+
+void make_runs(const Plan& plan, Course& course, KeptComparison& kept, Runs& runs) {
+  for (const Turn& turn : turns_of(plan)) {
+    if (kept.has(turn)) {
+      add(kept.take(turn), runs);
+      continue;
     }
+    runs.complete = !course.is_interrupted();
+    if (!runs.complete) break;
+    std::optional<FinishedTurn> finished = made(plan, turn, course);
+    runs.complete = finished.has_value();
+    if (!runs.complete) break;
+    kept.keep(*finished);
+    add(*std::move(finished), runs);
   }
+  kept.keep_all();
 }
 
 }  // namespace wander::compare

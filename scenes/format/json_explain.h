@@ -1,5 +1,5 @@
-// What a document must be, by a JSON Schema: valijson gives the verdict, and where it refuses, the
-// same schema is walked again to say why in words that help.
+// What a document must be, by a JSON Schema: schema and document are walked together, once, and what
+// is wrong is said in words that help.  A document without faults conforms.
 //
 // The walk knows the part of draft 7 that scene.schema.json uses.  A `description` completes a
 // message: "-1 is not allowed; " + "a radiance is > 0".
@@ -12,8 +12,6 @@
 #include "scenes/format/json_document.h"
 
 namespace wander {
-
-bool conforms(const JsonDocument& document, const char* schema_text);
 
 struct Explanation {
   std::vector<JsonFault> faults;

@@ -6,6 +6,7 @@
 
 #include "lab/compare/budgets.h"
 #include "lab/compare/course.h"
+#include "lab/compare/kept_comparison.h"
 #include "lab/compare/lineup.h"
 #include "lab/compare/runs.h"
 
@@ -25,6 +26,11 @@ void require_few_enough(const Plan& plan);
 
 // The sum of all budgets (effort_of).
 double effort_of(const Plan& plan);
+// Of some turns.
+double effort_of(const Plan& plan, const std::vector<Turn>& turns);
+
+// Those that are not kept yet, in their order.
+std::vector<Turn> turns_to_come(const Plan& plan, const KeptComparison& kept);
 
 // Of the long runs that make a reference: 3 × replicates × the largest budget (long_reference.h).
 double reference_effort(const Plan& plan);
@@ -35,7 +41,8 @@ std::uint64_t seed_samples_of(const Rendering& rendering);
 // What the plan says of the runs, before there are any.
 Runs prepared(const Plan& plan, Provenance provenance);
 
-// Turn after turn (schedule()); an interruption drops the run that it hits and ends the rest.
-void measure(const Plan& plan, Course& course, Runs& runs);
+// Turn after turn (schedule()), each kept when it has come to its end; what was kept before is taken
+// from there.  An interruption drops the run that it hits and ends the rest.
+void make_runs(const Plan& plan, Course& course, KeptComparison& kept, Runs& runs);
 
 }  // namespace wander::compare

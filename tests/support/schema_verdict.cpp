@@ -5,14 +5,14 @@
 #pragma GCC diagnostic ignored "-Wrestrict"
 #endif
 
+#include "tests/support/schema_verdict.h"
+
 #include <valijson/adapters/nlohmann_json_adapter.hpp>
 #include <valijson/schema.hpp>
 #include <valijson/schema_parser.hpp>
 #include <valijson/validator.hpp>
 
-#include "scenes/format/json_schema.h"
-
-namespace wander {
+namespace wander::test {
 
 bool conforms(const JsonDocument& document, const char* schema_text) {
   using valijson::adapters::NlohmannJsonAdapter;
@@ -24,4 +24,4 @@ bool conforms(const JsonDocument& document, const char* schema_text) {
   return valijson::Validator().validate(schema, NlohmannJsonAdapter(target), nullptr);
 }
 
-}  // namespace wander
+}  // namespace wander::test

@@ -1,15 +1,11 @@
-// The mutation of docs/own-mutation.md: it leaves f invariant, and is caught when a factor of its
-// density is forgotten; and the document shows the file that is tested.
+// The mutation of docs/extending.md: it leaves f invariant, and is caught when a factor of its
+// density is forgotten.
 //
 // False alarms: 1e-9 per decision, of which each test makes three.
-// own_mutation_test.sh puts the same file into the catalogue of a copy of the program.
+// extending_test.py puts the same file into the catalogue of a copy of the program.
 #include "docs/examples/sensor_slide.h"
 
 #include <gtest/gtest.h>
-
-#include <fstream>
-#include <iterator>
-#include <regex>
 
 #include "tests/support/caught.h"
 #include "tests/support/perturbation_rooms.h"
@@ -73,27 +69,16 @@ TEST(OwnMutation, CannotActBeforeACamera) {
   EXPECT_EQ(report_of(pinhole_room, SensorSlide{}).acted, 0u);
 }
 
-// ---- the document
-
-std::string text_of(const std::string& name) {
-  std::ifstream file(std::string(WANDER_SOURCE) + "/" + name);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-TEST(OwnMutation, IsShownAsItIsTested) {
-  const std::string example = text_of("docs/examples/sensor_slide.h");
-  ASSERT_FALSE(example.empty());
-  EXPECT_NE(text_of("docs/own-mutation.md").find("```cpp\n" + example + "```\n"),
-            std::string::npos);
-}
-
-// The line that own_mutation_test.sh takes out is one, and the document shows it as forgotten.
-TEST(OwnMutation, ForgetsOneLineThatIsThere) {
-  const std::string example = text_of("docs/examples/sensor_slide.h");
-  const std::regex line(R"(.*density /= window_of.*\n)");
-  const std::sregex_iterator found(example.begin(), example.end(), line);
-  ASSERT_EQ(std::distance(found, {}), 1);
-  EXPECT_NE(text_of("docs/own-mutation.md").find("-" + found->str()), std::string::npos);
+// What --mutations sensor_slide=1:reach=0.05 does.
+TEST(OwnMutation, HasAParameterThatCanBeSet) {
+  SensorSlide slide;
+  ASSERT_EQ(traits<SensorSlide>.parameters.size(), 1u);
+  const Parameter<SensorSlide>& reach = traits<SensorSlide>.parameters.front();
+  EXPECT_EQ(reach.name, "reach");
+  const Ends ends = reach.ends(slide);
+  EXPECT_EQ(ends.smallest, slide.reach);
+  ends.smallest = ends.largest = 0.05;
+  EXPECT_EQ(slide.reach, 0.05);
 }
 
 }  // namespace

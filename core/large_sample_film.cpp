@@ -1,0 +1,82 @@
+#include "core/large_sample_film.h"
+
+#include <algorithm>
+#include <array>
+
+namespace wander {
+
+SampleList::SampleList(int bins, int max_vertices, const FilmLayout& layout)
+    : keeps_lengths_(layout.keeps_lengths(std::array{bins}, max_vertices)),
+      techniques_(max_vertices) {}
+
+void SampleList::add(const Contributions& sample) {
+  const std::size_t begin = bins_.size();
+  for (const Contribution& c : sample) {
+    techniques_.add(c.vertices, c.technique, c.value);
+    if (keeps_lengths_) lengths_.push_back({c.vertices, c.bin, c.value});
+    const auto known = std::find_if(bins_.begin() + static_cast<std::ptrdiff_t>(begin), bins_.end(),
+                                    [&](const OfBin& b) { return b.bin == c.bin; });
+    if (known == bins_.end())
+      bins_.push_back({c.bin, c.value});
+    else
+      known->value += c.value;
+  }
+  ++samples_;
+}
+
+void SampleList::clear() {
+  bins_.clear();
+  lengths_.clear();
+  techniques_.clear();
+  samples_ = 0;
+}
+
+LargeSampleFilm::LargeSampleFilm(int bins, int max_vertices, const FilmLayout& layout)
+    : sums_(static_cast<std::size_t>(bins)), techniques_(max_vertices) {
+  if (layout.keeps_lengths(std::array{bins}, max_vertices))
+    lengths_.resize(static_cast<std::size_t>(max_vertices) - 1);
+}
+
+void LargeSampleFilm::merge(const SampleList& part) {
+  for (const SampleList::OfBin& found : part.bins_) {
+    BinSums& sums = sums_[static_cast<std::size_t>(found.bin)];
+    sums.sum += found.value;
+    sums.squares += found.value * found.value;
+  }
+  for (const SampleList::OfLength& found : part.lengths_) {
+    auto& film = lengths_[static_cast<std::size_t>(found.vertices) - 2];
+    film.resize(sums_.size());
+    film[static_cast<std::size_t>(found.bin)] += found.value;
+  }
+  techniques_.merge(part.techniques_);
+  samples_ += part.samples_;
+}
+
+void LargeSampleFilm::merge(const LargeSampleFilm& other) {
+  for (std::size_t i = 0; i < sums_.size(); ++i) {
+    sums_[i].sum += other.sums_[i].sum;
+    sums_[i].squares += other.sums_[i].squares;
+  }
+  for (std::size_t k = 0; k < lengths_.size(); ++k) {
+    lengths_[k].resize(std::max(lengths_[k].size(), other.lengths_[k].size()));
+    for (std::size_t i = 0; i < other.lengths_[k].size(); ++i)
+      lengths_[k][i] += other.lengths_[k][i];
+  }
+  techniques_.merge(other.techniques_);
+  samples_ += other.samples_;
+}
+
+FilmEstimate LargeSampleFilm::estimate(std::span<const int> resolution) const {
+  FilmEstimate film = estimate_of_samples(resolution, samples_, techniques_,
+                                          [this](std::size_t bin) { return sums_[bin]; });
+  const double scale =
+      samples_ > 0 ? static_cast<double>(sums_.size()) / static_cast<double>(samples_) : 0;
+  for (std::size_t k = 0; k < lengths_.size(); ++k) {
+    if (lengths_[k].empty()) continue;
+    auto& values = film.by_length[static_cast<int>(k) + 2] = lengths_[k];
+    for (double& value : values) value *= scale;
+  }
+  return film;
+}
+
+}  // namespace wander

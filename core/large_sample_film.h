@@ -1,0 +1,76 @@
+// The film of independent samples where there are many bins: one film of plain sums, to which the
+// lists of what units of samples found are added in order.  A unit under way so costs memory by what
+// it found, not by the bins.
+#pragma once
+
+#include "core/film.h"
+
+namespace wander {
+
+// What some samples found, in their order.
+class SampleList {
+ public:
+  SampleList(int bins, int max_vertices, const FilmLayout& layout);
+
+  void add(const Contributions& sample);
+  void clear();
+  std::uint64_t samples() const { return samples_; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(bins_, lengths_, techniques_, samples_);
+  }
+
+ private:
+  friend class LargeSampleFilm;
+
+  struct OfBin {
+    int bin = 0;
+    double value = 0;  // of one sample
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(bin, value);
+    }
+  };
+  struct OfLength {
+    int vertices = 0, bin = 0;
+    double value = 0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(vertices, bin, value);
+    }
+  };
+  bool keeps_lengths_;
+  std::vector<OfBin> bins_;
+  std::vector<OfLength> lengths_;
+  TechniqueTally techniques_;
+  std::uint64_t samples_ = 0;
+};
+
+class LargeSampleFilm {
+ public:
+  using Part = SampleList;
+
+  LargeSampleFilm(int bins, int max_vertices, const FilmLayout& layout);
+
+  void merge(const SampleList& part);
+  void merge(const LargeSampleFilm& other);
+
+  std::uint64_t samples() const { return samples_; }
+  FilmEstimate estimate(std::span<const int> resolution) const;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(sums_, lengths_, techniques_, samples_);
+  }
+
+ private:
+  std::vector<BinSums> sums_;                 // side by side, for they are met together
+  std::vector<std::vector<double>> lengths_;  // by number of vertices - 2; empty until one is met
+  TechniqueTally techniques_;
+  std::uint64_t samples_ = 0;
+};
+
+}  // namespace wander

@@ -1,0 +1,169 @@
+#include "lab/chain_findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lab/film_mean.h"
+#include "mlt/run/normalized_film.h"
+#include "mlt/run/warnings.h"
+
+namespace wander {
+
+namespace {
+
+SeedTally tally_of(std::span<const GroupFindings> groups) {
+  SeedTally tally = *groups.front().seeds;
+  for (const GroupFindings& group : groups.subspan(1)) tally.merge(*group.seeds);
+  return tally;
+}
+
+}  // namespace
+
+ChainFindings::ChainFindings(std::string method, std::vector<int> shape, MutationStatistics none)
+    : method_(std::move(method)), shape_(std::move(shape)), statistics_(std::move(none)) {}
+
+void ChainFindings::keep() {
+  for (std::size_t g = kept_.size(); g < groups_.size(); ++g)
+    groups_[g] = kept_.emplace_back(groups_[g]).found();
+  for (std::size_t p = kept_films_.size(); p < parts_.size() && parts_[p].shared; ++p)
+    parts_[p].shared->films = &kept_films_.emplace_back(*parts_[p].shared->films);
+}
+
+Rendering ChainFindings::rendering() const {
+  Rendering r;
+  r.method = method_;
+  r.samples = statistics_.steps();
+  for (const Part& part : parts_) {
+    r.chains += part.chains;
+    r.groups += part.settings.groups;
+  }
+  normalize(r);
+  judge(r);
+  return r;
+}
+
+// ---- groups of different sizes
+
+double ChainFindings::Part::size() const {
+  return 1 / (1 / static_cast<double>(steps) + settings.seed_share / static_cast<double>(seeds));
+}
+
+// In units of those of the first part, so that groups of one size weigh 1.
+std::vector<GroupFindings> ChainFindings::weighed_groups() const {
+  if (parts_.size() == 1) return groups_;
+  std::vector<GroupFindings> groups;
+  for (const Part& part : parts_)
+    for (int g = 0; g < part.settings.groups; ++g)
+      groups.push_back(groups_[groups.size()].weighing(relative_size(part)));
+  return groups;
+}
+double ChainFindings::relative_size(const Part& part) const {
+  const auto each = [](const Part& of) { return of.size() / of.settings.groups; };
+  return parts_.size() == 1 ? 1 : each(part) / each(parts_.front());
+}
+
+// ---- the film
+
+// A part counts as its seed pass does in b, of which this film is the distribution.
+FilmEstimate ChainFindings::unbiased() const {
+  if (parts_.size() == 1) return unbiased(parts_.front());
+  std::vector<WeightedFilm> films;
+  int groups = 0;
+  for (const Part& part : parts_) {
+    films.push_back({unbiased(part), static_cast<double>(part.seeds)});
+    groups += part.settings.groups;
+  }
+  FilmEstimate film = mean_film(films);
+  for (std::size_t j = 0; j < film.value.size(); ++j)
+    film.reliable[j] =
+        groups >= GroupsFilm::fewest_groups && film.value[j] > 0 &&
+        film.value[j] * film.value[j] >=
+            fewest_effective_samples * film.standard_error[j] * film.standard_error[j];
+  return film;
+}
+
+FilmEstimate ChainFindings::unbiased(const Part& part) const {
+  return part.shared ? mean_film(*part.shared, shape_) : part.unbiased.estimate();
+}
+
+FilmEstimate ChainFindings::film_scaled_to(const Constant& b,
+                                           std::span<const GroupFindings> groups) const {
+  if (!parts_.front().shared) return normalized_film(groups, b, shape_);
+  std::vector<SharedLight> runs;
+  for (const Part& part : parts_) {
+    runs.push_back(*part.shared);
+    runs.back().weight = relative_size(part);
+  }
+  return normalized_film(runs, b, shape_);
+}
+
+void ChainFindings::normalize(Rendering& r) const {
+  const NormalizationMethod wanted = parts_.front().settings.normalization;
+  const std::vector<GroupFindings> groups = weighed_groups();
+  const Constants b = constants(groups);
+  const NormalizationMethod method = b.usable(wanted);
+  r.normalization = normalization(groups, b, wanted);
+  r.film =
+      method == NormalizationMethod::seed_pass ? unbiased() : film_scaled_to(b[method], groups);
+  if (b[method].effective_samples < fewest_effective_samples)
+    r.film.reliable.assign(r.film.reliable.size(), false);
+  if (method != wanted)
+    r.warnings.push_back("b is the mean of the seed pass, for the " + std::string(name_of(wanted)) +
+                         " estimate failed: " + b[wanted].failure);
+  if (std::string alarm = disagreement_of_constants(groups, b); !alarm.empty())
+    r.warnings.push_back(std::move(alarm));
+}
+
+// ---- the chains
+
+double ChainFindings::Part::steps_per_chain() const {
+  return draws.chains() > 0 ? static_cast<double>(steps) / static_cast<double>(draws.chains()) : 0;
+}
+
+// Chains are compared over as many draws as the shortest has: those of runs that are less than half
+// as long as the longest would take from all others what they know.
+std::vector<const ChainFindings::Part*> ChainFindings::long_enough() const {
+  double longest = 0;
+  for (const Part& part : parts_) longest = std::max(longest, part.steps_per_chain());
+  std::vector<const Part*> found;
+  for (const Part& part : parts_)
+    if (parts_.size() == 1 || 2 * part.steps_per_chain() >= longest) found.push_back(&part);
+  return found;
+}
+
+void ChainFindings::judge(Rendering& r) const {
+  const std::vector<const Part*> parts = long_enough();
+  ChainDraws draws, even;  // of all chains; of as many chains of each group
+  int fewest = parts.front()->settings.chains_per_group;
+  for (const Part* part : parts) fewest = std::min(fewest, part->settings.chains_per_group);
+  const auto count = static_cast<std::size_t>(fewest);
+  for (const Part* part : parts) {
+    draws.add(part->draws, 1, 1);
+    even.add(part->draws, count, static_cast<std::size_t>(part->settings.chains_per_group));
+  }
+  std::size_t all_chains = 0, all_groups = 0;  // that have draws
+  for (const Part& part : parts_) {
+    all_chains += part.draws.chains();
+    all_groups += part.draws.chains() / static_cast<std::size_t>(part.settings.chains_per_group);
+  }
+  ChainsRecord chains;
+  if (draws.chains() > 0) {
+    chains = diagnostics(draws);
+    chains.longest_rejection_run = statistics_.longest_rejection_run();
+    r.chains_record = chains;
+  }
+  r.mutations = statistics_.records();
+  if (draws.chains() < all_chains)
+    r.warnings.push_back(fmt::format(
+        "R-hat and the effective sample sizes are of {} of {} chains: the others are less than "
+        "half as long as the longest",
+        draws.chains(), all_chains));
+  for (std::string& warning :
+       warnings({tally_of(groups_), even, chains, statistics_, count, all_chains, all_groups}))
+    r.warnings.push_back(std::move(warning));
+}
+
+}  // namespace wander

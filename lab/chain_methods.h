@@ -1,0 +1,23 @@
+// The methods by Markov chains.  They are defined in world_methods.h and made for each world in a
+// file of its own.
+#pragma once
+
+#include "lab/stage.h"
+
+namespace wander {
+
+// mlt, in path space
+struct MltMethod {
+  template <World W>
+  static std::unique_ptr<LiveRun> make(const Stage<W>& stage);
+};
+struct PssmltMethod {
+  template <World W>
+  static std::unique_ptr<LiveRun> make(const Stage<W>& stage);
+};
+struct MmltMethod {
+  template <World W>
+  static std::unique_ptr<LiveRun> make(const Stage<W>& stage);
+};
+
+}  // namespace wander

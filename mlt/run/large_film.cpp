@@ -1,0 +1,153 @@
+#include "mlt/run/large_film.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mlt/run/deposit.h"
+#include "statistics/jackknife.h"
+
+namespace wander {
+
+namespace {
+
+// All films of all runs, in their order.
+class Parts {
+ public:
+  explicit Parts(std::span<const SharedLight> runs) : runs_(runs) {
+    for (const SharedLight& run : runs) count_ += static_cast<std::size_t>(run.films->count());
+  }
+
+  std::size_t count() const { return count_; }
+  std::vector<double> weights() const {
+    std::vector<double> weights;
+    for (const SharedLight& run : runs_)
+      weights.insert(weights.end(), static_cast<std::size_t>(run.films->count()), run.weight);
+    return weights;
+  }
+  std::size_t bins() const { return runs_.front().films->bins(); }
+  // The light that each says falls on a bin.
+  void at(std::size_t bin, std::vector<double>& light) const {
+    light.clear();
+    for (const SharedLight& run : runs_)
+      for (std::size_t f = 0; f < static_cast<std::size_t>(run.films->count()); ++f)
+        light.push_back(run.weight * run.scale * run.films->deposits(f, bin));
+  }
+
+ private:
+  std::span<const SharedLight> runs_;
+  std::size_t count_ = 0;
+};
+
+double sum_of(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum;
+}
+
+// The mean of all films of paths of each length, times `factor`.
+std::map<int, std::vector<double>> by_length(std::span<const SharedLight> runs, double factor) {
+  std::map<int, std::vector<double>> films;
+  std::size_t count = 0;
+  for (const SharedLight& run : runs) count += static_cast<std::size_t>(run.films->count());
+  for (const SharedLight& run : runs)
+    for (std::size_t n = 0; n < run.films->lengths(); ++n) {
+      const std::vector<double> mean = run.films->mean_of_length(n);
+      if (mean.empty()) continue;
+      auto& film = films[static_cast<int>(n) + 2];
+      film.resize(mean.size());
+      const double weight =
+          factor * run.weight * run.scale * run.films->count() / static_cast<double>(count);
+      for (std::size_t j = 0; j < mean.size(); ++j) film[j] += weight * mean[j];
+    }
+  return films;
+}
+
+// A bin is reliable when enough films know it as well as so many independent events would.
+bool is_reliable(std::size_t films, double value, double error) {
+  return films >= static_cast<std::size_t>(GroupsFilm::fewest_groups) && value > 0 &&
+         value * value >= fewest_effective_samples * error * error;
+}
+
+}  // namespace
+
+FilmEstimate mean_film(const SharedLight& run, std::vector<int> shape) {
+  const std::array runs{run};
+  const Parts parts(runs);
+  const auto bins = static_cast<double>(parts.bins()), count = static_cast<double>(parts.count());
+  FilmEstimate film{.shape = std::move(shape)};
+  film.degrees_of_freedom = count - 1;
+  make_room(film);
+  std::vector<double> light;
+  for (std::size_t j = 0; j < parts.bins(); ++j) {
+    parts.at(j, light);
+    const double mean = sum_of(light) / count;
+    double squares = 0;
+    for (const double x : light) squares += (x - mean) * (x - mean);
+    const double error = count > 1 ? bins * std::sqrt(squares / (count * (count - 1))) : not_known;
+    film.value.push_back(bins * mean);
+    film.standard_error.push_back(error);
+    film.reliable.push_back(is_reliable(parts.count(), bins * mean, error));
+  }
+  film.by_length = by_length(runs, bins);
+  return film;
+}
+
+std::vector<double> without_films(std::span<const SharedLight> runs, const Constant& constant) {
+  const double b = constant.b.value;
+  double total = 0;  // weight
+  for (const SharedLight& run : runs) total += run.weight * run.films->groups();
+  std::vector<double> without;
+  std::size_t first = 0;
+  for (const SharedLight& run : runs) {
+    const SharedFilms& films = *run.films;
+    for (int f = 0; f < films.count(); ++f) {
+      double pull = 0, members = 0;
+      for (int g = f; g < films.groups(); g += films.count(), ++members)
+        pull += constant.without[first + static_cast<std::size_t>(g)] - b;
+      without.push_back(b + (total - run.weight) / (total - members * run.weight) * pull);
+    }
+    first += static_cast<std::size_t>(films.groups());
+  }
+  return without;
+}
+
+FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& constant,
+                             std::vector<int> shape) {
+  const Parts parts(runs);
+  const std::vector<double> without = without_films(runs, constant), weights = parts.weights();
+  const auto bins = static_cast<double>(parts.bins());
+  const double b = constant.b.value;
+  std::vector<double> light, masses(parts.count());
+  for (std::size_t j = 0; j < parts.bins(); ++j) {
+    parts.at(j, light);
+    for (std::size_t f = 0; f < light.size(); ++f) masses[f] += light[f];
+  }
+  const double mass = sum_of(masses);
+  const auto lit = static_cast<std::size_t>(
+      std::ranges::count_if(masses, [](double of_film) { return of_film > 0; }));
+  FilmEstimate film{.shape = std::move(shape)};
+  make_room(film);
+  std::vector<double> deviations(parts.count());  // squared, of all bins together
+  std::vector<double> values(parts.count());      // b times the share of the bin without each film
+  for (std::size_t j = 0; j < parts.bins(); ++j) {
+    parts.at(j, light);
+    const double total = sum_of(light), share = total / mass;
+    for (std::size_t f = 0; f < light.size(); ++f) {
+      const double rest = mass - masses[f];
+      values[f] =
+          rest > 1e-12 * mass ? without[f] * std::max(0.0, total - light[f]) / rest : not_known;
+      const double deviation = values[f] / b - share;
+      deviations[f] += deviation * deviation;
+    }
+    const double value = b * bins * share, error = bins * jackknife_error(values, weights);
+    film.value.push_back(value);
+    film.standard_error.push_back(error);
+    film.reliable.push_back(is_reliable(lit, value, error));
+  }
+  film.degrees_of_freedom = jackknife_degrees(deviations);
+  film.by_length = by_length(runs, b * bins * static_cast<double>(parts.count()) / mass);
+  return film;
+}
+
+}  // namespace wander

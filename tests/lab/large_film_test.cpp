@@ -1,0 +1,81 @@
+// The same run with its film kept as a small one and as a large one: the film is the same but for
+// the rounding of float, and error bars tell the same of it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+
+#include "core/film_statistics.h"
+#include "lab/engine.h"
+#include "tests/support/test_scenes.h"
+
+namespace wander::test {
+namespace {
+
+constexpr FilmLayout small{},
+    large{.most_small = 4, .by_length = Keep::always, .maps = Keep::always};
+
+// 64 groups make 4096 steps each.
+Rendering rendered(const char* method, const FilmLayout& film, NormalizationMethod b,
+                   int threads = 2) {
+  Session session;
+  session.budget = SampleBudget{64 * 4096};
+  session.threads = threads;
+  const Dials dials{.chains = {.normalization = b}, .film = film};
+  return render({diffuse_room(), find_method(method), dials}, session);
+}
+
+double norm(const std::vector<double>& values) {
+  return std::sqrt(std::inner_product(values.begin(), values.end(), values.begin(), 0.0));
+}
+
+class LargeFilms : public ::testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Methods, LargeFilms, ::testing::Values("bdpt", "mlt", "pssmlt", "mmlt"));
+
+TEST_P(LargeFilms, AreTheSmallOnesUpToTheRoundingOfFloat) {
+  for (const auto b : {NormalizationMethod::bridge, NormalizationMethod::seed_pass}) {
+    const Rendering x = rendered(GetParam(), large, b), y = rendered(GetParam(), small, b);
+    EXPECT_EQ(x.samples, y.samples);
+    ASSERT_EQ(x.film.value.size(), y.film.value.size());
+    for (std::size_t j = 0; j < y.film.value.size(); ++j)
+      EXPECT_NEAR(x.film.value[j], y.film.value[j], 1e-6 * mean_value(y.film)) << j;
+    ASSERT_EQ(x.film.by_length.size(), y.film.by_length.size());
+    for (const auto& [vertices, film] : y.film.by_length)
+      for (std::size_t j = 0; j < film.size(); ++j)
+        EXPECT_NEAR(x.film.by_length.at(vertices)[j], film[j], 1e-6 * mean_value(y.film)) << j;
+    // Of 16 parts and of 64: the spread of a ratio of two such estimates is 20 %, of one bin.
+    const double errors = norm(x.film.standard_error) / norm(y.film.standard_error);
+    EXPECT_GT(errors, 0.75);
+    EXPECT_LT(errors, 1.35);
+    EXPECT_LE(x.film.degrees_of_freedom, y.film.degrees_of_freedom);
+    if (x.normalization) {
+      EXPECT_EQ(x.normalization->value, y.normalization->value);
+      EXPECT_EQ(x.normalization->standard_error, y.normalization->standard_error);
+    }
+  }
+}
+
+TEST_P(LargeFilms, DoNotDependOnTheThreads) {
+  const Rendering one = rendered(GetParam(), large, NormalizationMethod::bridge, 1);
+  const Rendering three = rendered(GetParam(), large, NormalizationMethod::bridge, 3);
+  EXPECT_EQ(one.film.value, three.film.value);
+  EXPECT_EQ(one.film.standard_error, three.film.standard_error);
+  EXPECT_EQ(one.film.by_length, three.film.by_length);
+}
+
+TEST(LargeFilm, HasMapsOnARasterAndOnlyIfAskedFor) {
+  const Rendering asked = rendered("mlt", large, NormalizationMethod::bridge);
+  const Rendering plain = rendered("mlt", {.most_small = 4}, NormalizationMethod::bridge);
+  ASSERT_EQ(asked.mutations.size(), plain.mutations.size());
+  for (std::size_t m = 0; m < plain.mutations.size(); ++m) {
+    EXPECT_TRUE(plain.mutations[m].proposed_per_bin.empty());
+    const std::vector<double>& map = asked.mutations[m].proposed_per_bin;
+    EXPECT_LE(map.size(), 4u);
+    EXPECT_EQ(std::accumulate(map.begin(), map.end(), 0.0),
+              static_cast<double>(plain.mutations[m].proposed));
+  }
+  EXPECT_TRUE(plain.film.by_length.empty());
+}
+
+}  // namespace
+}  // namespace wander::test

@@ -1,0 +1,226 @@
+// `compare --continue`: a comparison that was killed, interrupted or finished goes on, makes no run
+// twice, and has the numbers of one that never stopped; what cannot go on says why.
+#include <random>
+
+#include "records/seal.h"
+#include "tests/lab/compare/compare_command.h"
+
+namespace wander::test {
+namespace {
+
+class ContinuingComparison : public CompareCommand {
+ protected:
+  // Every number of compare.json but times, and what is made of them, and facts of the execution.
+  json numbers_in(const std::string& directory) const {
+    json document = json::parse(contents(folder / directory / "compare.json"));
+    json numbers{{"complete", document["complete"]},
+                 {"reference", document["reference"]},
+                 {"replicates", document["replicates"]},
+                 {"failures", document["failures"]},
+                 {"warnings", document["warnings"]}};
+    for (json run : document["runs"]) {
+      for (const char* time : {"seconds", "cpu_seconds", "seed_seconds", "command"})
+        run.erase(time);
+      numbers["runs"].push_back(run);
+    }
+    for (const json& cell : document["cells"])
+      for (const char* error : {"relative_rmse", "rmse", "mae", "bias", "coverage"})
+        numbers["cells"].push_back(cell[error]);
+    for (json details : document["details"]) {
+      for (const char* fact : {"threads", "seconds", "cpu_seconds", "seed_seconds", "command_line"})
+        details.erase(fact);
+      if (details.contains("chains")) details["chains"].erase("ess_per_second");
+      if (details.contains("mutations"))
+        for (json& mutation : details["mutations"]) mutation.erase("seconds");
+      numbers["details"].push_back(details);
+    }
+    return numbers;
+  }
+  std::size_t kept_runs() const {
+    return static_cast<std::size_t>(std::ranges::count_if(
+        fs::directory_iterator(folder / "cut/kept"),
+        [](const auto& entry) { return entry.path().filename().string().starts_with("runs-"); }));
+  }
+  void expect_refused(const std::string& arguments, int exit_code,
+                      std::initializer_list<const char*> words) {
+    const Outcome outcome = compare(arguments);
+    EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.err;
+    for (const char* word : words) EXPECT_HAS(outcome.err, word);
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+  }
+  void change(const char* name, const std::function<void(std::string&)>& edit) {
+    std::string bytes = contents(folder / name);
+    edit(bytes);
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+  }
+};
+
+// SIGKILL at random moments, from the start of the program; then as a user would go on.
+TEST_F(ContinuingComparison, KilledAnywhereItHasTheNumbersOfOneThatNeverStopped) {
+  const std::string all = "box.json -m bdpt,mlt,mmlt -b 20k,60k --replicates 8 -q -o ";
+  ASSERT_EQ(compare(all + "whole").exit_code, 0);
+  std::mt19937_64 random(1);
+  int killed = 0;
+  for (int kill = 0; kill < 8; ++kill) {
+    const std::string command = exists("cut/kept/plan") ? "--continue -q -o " : all;
+    const double seconds = 0.05 + 0.4 * std::uniform_real_distribution()(random);
+    const Outcome outcome =
+        shell("export XDG_CACHE_HOME=\"$PWD/cache\"; timeout -s KILL " + std::to_string(seconds) +
+              " \"$WANDER\" compare " + command + "cut -t " + std::to_string(1 + kill % 3));
+    ASSERT_TRUE(outcome.exit_code == 137 || outcome.exit_code == 0) << outcome.err;
+    killed += outcome.exit_code == 137 ? 1 : 0;
+  }
+  EXPECT_GT(killed, 0);
+  const std::string last = exists("cut/kept/plan") ? "--continue -q -o cut" : all + "cut";
+  const Outcome outcome = compare(last);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(numbers_in("cut"), numbers_in("whole"));
+}
+
+TEST_F(ContinuingComparison, WhatWasInterruptedGoesOnToItsEndAndMakesNoRunTwice) {
+  write("mirror.json", mirror_box());
+  const std::string all = "mirror.json -m pt,mlt -b 300k --replicates 3 -o ";
+  const Outcome first = interrupted_at("replicate [23] ", all + "cut");
+  ASSERT_EQ(first.exit_code, 130) << first.err;
+  const json before = numbers_in("cut");
+  EXPECT_FALSE(before["complete"]);
+  const std::size_t made = before["runs"].size();
+  ASSERT_GT(made, 0u);
+  ASSERT_LT(made, 6u);
+  const Outcome second = compare("--continue -o cut");
+  ASSERT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_HAS(second.err, "carried on from " + std::to_string(made) + " of 6 runs");
+  EXPECT_HAS(second.err, std::to_string(6 - made) + " runs of 300k: about ");
+  const json after = numbers_in("cut");
+  EXPECT_TRUE(after["complete"]);
+  EXPECT_EQ(after["runs"].size(), 6u);
+  EXPECT_EQ(after["reference"], before["reference"]) << "the reference is kept";
+  for (std::size_t i = 0; i < made; ++i) EXPECT_EQ(after["runs"][i], before["runs"][i]);
+  // The runs are those of a comparison that never stopped, against the same reference.
+  ASSERT_EQ(compare(all + "whole -q --reference cut/reference.json").exit_code, 0);
+  EXPECT_EQ(numbers_in("whole")["runs"], after["runs"]);
+  // One that is finished has nothing more to make.
+  const auto parts = kept_runs();
+  const Outcome third = compare("--continue -o cut");
+  EXPECT_EQ(third.exit_code, 0) << third.err;
+  EXPECT_HAS(third.err, "carried on from 6 of 6 runs");
+  EXPECT_LACKS(third.err, "runs of 300k");
+  EXPECT_EQ(kept_runs(), parts);
+  EXPECT_EQ(numbers_in("cut"), after);
+}
+
+TEST_F(ContinuingComparison, MoreReplicatesAreThoseOfALargerOne) {
+  ASSERT_EQ(compare("box.json -m pt,mlt -b 1k,2k --replicates 5 -q -o whole").exit_code, 0);
+  ASSERT_EQ(compare("box.json -m pt,mlt -b 1k,2k --replicates 2 -q -o cut").exit_code, 0);
+  ASSERT_EQ(compare("--continue -o cut --replicates 5 --target 0.5 -q").exit_code, 0);
+  EXPECT_EQ(numbers_in("cut"), numbers_in("whole"));
+  EXPECT_EQ(json::parse(contents(folder / "cut/compare.json"))["target"], 0.5);
+  EXPECT_EQ(compare("--continue -o cut -q").exit_code, 0);
+  EXPECT_EQ(json::parse(contents(folder / "cut/compare.json"))["target"], 0.5);
+}
+
+TEST_F(ContinuingComparison, FailedRunsAreKeptToo) {
+  std::string dark = box;
+  const std::string before = "    { \"type\": \"segment\", \"from\": [0.5,0.1]";
+  dark.insert(dark.find(before),
+              "    { \"type\": \"segment\", \"from\": [0,0.5], \"to\": [2,0.5] },\n");
+  write("dark.json", dark);
+  ASSERT_EQ(compare("dark.json -m pt,mlt -b 100 --replicates 2 -q -o cut").exit_code, 0);
+  const json once = numbers_in("cut");
+  ASSERT_EQ(compare("--continue -q -o cut").exit_code, 0);
+  EXPECT_EQ(numbers_in("cut"), once);
+  EXPECT_EQ(once["failures"].size(), 2u);
+}
+
+TEST_F(ContinuingComparison, WhatIsGivenMustBeWhatTheComparisonHas) {
+  ASSERT_EQ(compare("box.json -m pt,mlt -b 1k,2k --replicates 3 --dial large_step=0.2 -q -o run")
+                .exit_code,
+            0);
+  write("other.json", std::string(box) + "\n");
+  expect_refused("other.json --continue -o run", 2, {"its scene is box.json (sha256 "});
+  expect_refused("--continue -o run -m pt", 2, {"its methods are pt,mlt, not pt;"});
+  expect_refused("--continue -o run -b 1k,4k -s 2", 2,
+                 {"its budgets are 1k,2k, not 1k,4k", "its seed is 1, not 2"});
+  expect_refused("--continue -o run --reference run.json", 2,
+                 {"its --reference is auto, not run.json"});
+  expect_refused("--continue -o run --dial large_step=0.3", 2,
+                 {"its --dial is large_step=0.2, not large_step=0.3"});
+  expect_refused("--continue -o run --sweep kernel=2", 2, {"its --sweep is none, not kernel=2"});
+  expect_refused("--continue -o run --replicates 2", 2, {"is of 3 replicates"});
+  expect_refused("--continue -o run --force", 2, {"leave one of them out"});
+  expect_refused("--continue", 2, {"--continue needs -o DIR"});
+  EXPECT_EQ(compare("box.json -m pt,mlt -b 2000,1000 -s 1 --continue -o run -q").exit_code, 0);
+}
+
+TEST_F(ContinuingComparison, WhereNothingIsKeptItSaysWhatToDo) {
+  expect_refused("--continue -o nowhere", 2, {"nowhere holds nothing of a comparison", "--force"});
+  ASSERT_EQ(wander("render box.json -m pt -b 1k -q -o run").exit_code, 0);
+  expect_refused("--continue -o run", 2, {"run holds nothing of a comparison"});
+  expect_refused("-m pt -b 1k -o new", 2, {"SCENE is required"});
+}
+
+TEST_F(ContinuingComparison, WhatIsDamagedIsRefused) {
+  ASSERT_EQ(compare(std::string(tiny) + " -q -o run").exit_code, 0);
+  for (const char* name : {"run/kept/plan", "run/kept/reference", "run/kept/runs-0001"}) {
+    const std::string whole = contents(folder / name);
+    for (const std::size_t place : {std::size_t{30}, whole.size() / 2, whole.size() - 2}) {
+      change(name, [&](std::string& bytes) { bytes[place] ^= 1; });
+      expect_refused("--continue -o run", 3, {name, "damaged or cut short", "--force"});
+      change(name, [&](std::string& bytes) { bytes = whole.substr(0, place); });
+      expect_refused("--continue -o run", 3, {"damaged or cut short"});
+      change(name, [&](std::string& bytes) { bytes = whole; });
+    }
+    change(name, [](std::string& bytes) { bytes = "mine"; });
+    expect_refused("--continue -o run", 3, {"is no part of a comparison"});
+    change(name, [&](std::string& bytes) { bytes = whole; });
+  }
+  EXPECT_EQ(compare("--continue -q -o run").exit_code, 0);
+}
+
+TEST_F(ContinuingComparison, PartsOfAnotherComparisonOrVersionAreRefused) {
+  ASSERT_EQ(compare(std::string(tiny) + " -q -o run").exit_code, 0);
+  ASSERT_EQ(compare(std::string(tiny) + " -q -s 2 -o other").exit_code, 0);
+  const std::string whole = contents(folder / "run/kept/runs-0001");
+  change("run/kept/runs-0001",
+         [&](std::string& bytes) { bytes = contents(folder / "other/kept/runs-0001"); });
+  expect_refused("--continue -o run", 3, {"kept/runs-0001: it is of another comparison"});
+  change("run/kept/runs-0001",
+         [&](std::string& bytes) { bytes = contents(folder / "run/kept/reference"); });
+  expect_refused("--continue -o run", 3, {"it is another part of a comparison"});
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string other(*unsealed(whole));
+    other.replace(other.find(from), from.size(), to);
+    change("run/kept/runs-0001", [&](std::string& bytes) { bytes = sealed(other); });
+  };
+  with("wanderlight-kept/1", "wanderlight-kept/9");
+  expect_refused("--continue -o run", 3, {"its format is wanderlight-kept/9"});
+  with("\"version\":\"", "\"version\":\"9.");
+  expect_refused("--continue -o run", 3, {"of version 9."});
+  with("\"part\"", "\"pert\"");
+  expect_refused("--continue -o run", 3, {"its header cannot be read"});
+}
+
+TEST_F(ContinuingComparison, ANewComparisonLeavesNothingOfTheOld) {
+  ASSERT_EQ(compare(std::string(tiny) + " -q -o run").exit_code, 0);
+  ASSERT_EQ(compare("box.json -m pt -b 1k --replicates 2 -q -o run --force").exit_code, 0);
+  const Outcome outcome = compare("--continue -o run");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_HAS(outcome.err, "carried on from 2 of 2 runs");
+}
+
+TEST_F(ContinuingComparison, AnOutputThatExistsNamesBothWays) {
+  ASSERT_EQ(compare(std::string(tiny) + " -q -o run").exit_code, 0);
+  expect_refused(std::string(tiny) + " -o run", 2,
+                 {"holds a comparison;", "--force", "--continue"});
+  for (const char* name : {"compare.json", "compare.csv", "report.html", "reference.json"})
+    fs::remove(folder / "run" / name);
+  expect_refused(std::string(tiny) + " -o run", 2,
+                 {"holds a comparison that did not come to its end", "--continue"});
+  // What a program that was killed at its very start has left stands in nobody's way.
+  fs::remove_all(folder / "run/kept");
+  fs::create_directory(folder / "run/kept");
+  EXPECT_EQ(compare(std::string(tiny) + " -q -o run").exit_code, 0);
+}
+
+}  // namespace
+}  // namespace wander::test
