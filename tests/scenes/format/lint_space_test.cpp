@@ -58,5 +58,19 @@ TEST(LintOfSpace, CountsTrianglesWithoutArea) {
   EXPECT_NE(found[0].what.find("2 of the triangles of this mesh have no area"), std::string::npos);
 }
 
+// Of a mesh of more faces, each may lie where it will.
+TEST(LintOfSpace, LooksAtAMeshOfOneTriangleAsAtATriangle) {
+  description::Scene scene = parse(space_only("[" + a_lamp + "," + a_screen + "]")).scene;
+  auto triangles = std::make_shared<Triangles>();
+  triangles->points = {{0.2, 0, -0.2}, {0.4, 0, -0.2}, {0.2, 0, -0.4}};
+  triangles->corners = {{0, 1, 2}};
+  scene.shapes.emplace_back().kind = description::Mesh{"m.obj", triangles};
+  const std::vector<Fault> found = lint(scene);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].what.find("the sensor lies on /shapes/2"), std::string::npos);
+  triangles->corners.push_back({0, 2, 1});
+  EXPECT_TRUE(lint(scene).empty());
+}
+
 }  // namespace
 }  // namespace wander

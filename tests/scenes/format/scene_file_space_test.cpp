@@ -8,22 +8,7 @@ namespace wander {
 namespace {
 
 using namespace description;
-
-const std::string everything_in_space = R"({
-  "format": "wanderlight-scene/1", "dimension": 3, "name": "all",
-  "materials": {
-    "red": { "type": "diffuse", "reflectance": [0.9, 0.1, 0.2] },
-    "grey": { "type": "mirror", "reflectance": [0.5, 0.5, 0.5] },
-    "gold": { "type": "rough_conductor", "roughness": 0.3, "reflectance": [1, 0.8, 0.3] }
-  },
-  "shapes": [
-    { "type": "triangle", "points": [[1, 2, 3], [4, 5, 6], [7, 8, 10]], "material": "red" },
-    { "type": "parallelogram", "origin": [0, 1, 2], "edges": [[1, 0, 0], [0, 1, 0.5]],
-      "material": "gold", "sensor": { "resolution": [30, 20] } },
-    { "type": "sphere", "center": [9, 9, 9], "radius": 2, "flip": true, "material": "grey",
-      "light": { "radiance": [1, 0, 2] } }
-  ]
-})";
+using description::Parallelogram, description::Sphere, description::Triangle;
 
 TEST(SpaceFile, KeepsEveryShape) {
   const Scene scene = parse(everything_in_space).scene;
@@ -67,9 +52,10 @@ TEST(SpaceFile, KeepsTheCamera) {
   EXPECT_EQ(plain.target, (Coordinates{4, 5, 7}));
   EXPECT_EQ(plain.up, (Coordinates{0, 1, 0}));
   EXPECT_EQ(plain.resolution, (std::vector<int>{64, 48}));
-  const Camera lens = *parse(with_view(view + R"(, "up": [0, 0.5, 1], "aperture_radius": 0.1,
+  const Camera lens =
+      *parse(with_view(view + R"(, "up": [0, 0.5, 1], "aperture_radius": 0.1,
     "focus_distance": 7)"))
-                           .scene.camera;
+           .scene.camera;
   EXPECT_EQ(lens.up, (Coordinates{0, 0.5, 1}));
   EXPECT_EQ(lens.aperture_radius, 0.1);
   EXPECT_EQ(lens.focus_distance, 7);

@@ -7,6 +7,22 @@
 
 namespace wander {
 
+inline const std::string everything_in_space = R"({
+  "format": "wanderlight-scene/1", "dimension": 3, "name": "all",
+  "materials": {
+    "red": { "type": "diffuse", "reflectance": [0.9, 0.1, 0.2] },
+    "grey": { "type": "mirror", "reflectance": [0.5, 0.5, 0.5] },
+    "gold": { "type": "rough_conductor", "roughness": 0.3, "reflectance": [1, 0.8, 0.3] }
+  },
+  "shapes": [
+    { "type": "triangle", "points": [[1, 2, 3], [4, 5, 6], [7, 8, 10]], "material": "red" },
+    { "type": "parallelogram", "origin": [0, 1, 2], "edges": [[1, 0, 0], [0, 1, 0.5]],
+      "material": "gold", "sensor": { "resolution": [30, 20] } },
+    { "type": "sphere", "center": [9, 9, 9], "radius": 2, "flip": true, "material": "grey",
+      "light": { "radiance": [1, 0, 2] } }
+  ]
+})";
+
 // A document of just these shapes, and members of the root.
 inline std::string space_only(const std::string& list, const std::string& members = "") {
   return R"({ "format": "wanderlight-scene/1", "dimension": 3, "shapes": )" + list + members + " }";
