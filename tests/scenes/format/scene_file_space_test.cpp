@@ -52,10 +52,9 @@ TEST(SpaceFile, KeepsTheCamera) {
   EXPECT_EQ(plain.target, (Coordinates{4, 5, 7}));
   EXPECT_EQ(plain.up, (Coordinates{0, 1, 0}));
   EXPECT_EQ(plain.resolution, (std::vector<int>{64, 48}));
-  const Camera lens =
-      *parse(with_view(view + R"(, "up": [0, 0.5, 1], "aperture_radius": 0.1,
+  const Camera lens = *parse(with_view(view + R"(, "up": [0, 0.5, 1], "aperture_radius": 0.1,
     "focus_distance": 7)"))
-           .scene.camera;
+                           .scene.camera;
   EXPECT_EQ(lens.up, (Coordinates{0, 0.5, 1}));
   EXPECT_EQ(lens.aperture_radius, 0.1);
   EXPECT_EQ(lens.focus_distance, 7);
