@@ -32,7 +32,11 @@ TEST_F(Continuing, KilledAnywhereItHasTheSameBits) {
 TEST_F(Continuing, AnInterruptedRunGoesOnToItsEnd) {
   const std::string run = "render box.json -m mlt -b 3M -q -o ";
   ASSERT_EQ(wander(run + "whole").exit_code, 0);
-  EXPECT_EQ(shell("timeout -s INT 0.3 \"$WANDER\" " + run + "cut -t 1").exit_code, 124);
+  const std::string interrupted_once_it_samples =
+      "\"$WANDER\" " + run +
+      "cut -t 1 --progress json 2>progress & job=$!; until grep -q sampling progress || ! kill -0 "
+      "$job; do sleep 0.01; done; kill -INT $job; wait $job";
+  EXPECT_EQ(shell(interrupted_once_it_samples).exit_code, 130);
   EXPECT_FALSE(json::parse(contents(folder / "cut/run.json"))["complete"]);
   EXPECT_EQ(wander("render --continue -o cut -q").exit_code, 0);
   EXPECT_EQ(numbers_in("cut"), numbers_in("whole"));
