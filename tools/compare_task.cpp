@@ -162,12 +162,7 @@ std::optional<CompareTask> examine_continued(const CompareOptions& options, cons
                                              Examination& examination) {
   std::optional<CompareTask> task;
   examination.part([&] {
-    if (global.out.empty())
-      throw UsageError("--continue needs -o DIR, the directory of the comparison that is to go on");
-    if (global.force)
-      throw UsageError(
-          "--continue carries the comparison in DIR on, and --force replaces it: leave one of them "
-          "out");
+    require_place_of("comparison", global);
     task = continued(options, global, examination);
   });
   return task;

@@ -104,6 +104,17 @@ void require_replaceable_directory(const fs::path& path, const Global& global,
   }
 }
 
+void require_place_of(std::string_view continued, const Global& global) {
+  if (global.out.empty())
+    throw UsageError(fmt::format(
+        "--continue needs -o DIR, the directory of the {} that is to go on", continued));
+  if (global.force)
+    throw UsageError(
+        fmt::format("--continue carries the {} in DIR on, and --force replaces it: leave one of "
+                    "them out",
+                    continued));
+}
+
 void write_output(const fs::path& file, std::string_view bytes) {
   if (is_standard_output(file))
     print_data(bytes);

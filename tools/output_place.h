@@ -23,6 +23,10 @@ void require_replaceable_directory(const std::filesystem::path& path, const Glob
 // none.
 void require_writable_directory(const std::filesystem::path& file);
 
+// Throws UsageError unless -o names where what is continued, a run or a comparison, stands, and
+// nothing asks to replace it.
+void require_place_of(std::string_view continued, const Global& global);
+
 // To the file, whole or not at all, or to standard output.
 void write_output(const std::filesystem::path& file, std::string_view bytes);
 

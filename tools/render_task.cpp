@@ -141,11 +141,7 @@ std::optional<RenderTask> examine_continued(const RenderOptions& options, const 
                                             Examination& examination) {
   std::optional<RenderTask> task;
   examination.part([&] {
-    if (global.out.empty())
-      throw UsageError("--continue needs -o DIR, the directory of the run that is to go on");
-    if (global.force)
-      throw UsageError(
-          "--continue carries the run in DIR on, and --force replaces it: leave one of them out");
+    require_place_of("run", global);
     task = continued(options, global);
   });
   return task;

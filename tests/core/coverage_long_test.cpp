@@ -6,11 +6,10 @@
 // short must be caught.
 #include <gtest/gtest.h>
 
-#include <boost/math/distributions/students_t.hpp>
-
 #include "core/exact/radiosity.h"
 #include "lab/engine.h"
 #include "scenes/format/scene_file.h"
+#include "tests/support/covered_bins.h"
 #include "tests/support/expect.h"
 #include "tests/support/statistics.h"
 
@@ -42,16 +41,9 @@ struct Coverage {
   double reliable = 0;  // share of bins
 
   void add(const FilmEstimate& film, const std::vector<double>& exact, double scale) {
-    const boost::math::students_t law(film.degrees_of_freedom);
-    const double reach = scale * boost::math::quantile(law, 0.975);
-    double covered = 0, counted = 0;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-      if (!film.reliable[i]) continue;
-      counted += 1;
-      if (std::abs(film.value[i] - exact[i]) <= reach * film.standard_error[i]) covered += 1;
-    }
-    reliable += counted / static_cast<double>(exact.size()) / runs;
-    if (counted > 0) all.add(covered / counted);
+    const CoveredBins bins = covered_bins(film, exact, scale);
+    reliable += bins.reliable / static_cast<double>(exact.size()) / runs;
+    if (bins.reliable > 0) all.add(bins.share());
   }
 };
 

@@ -6,12 +6,11 @@
 
 #include <sstream>
 
-#include <boost/math/distributions/students_t.hpp>
-
 #include "core/exact/diffuse_film.h"
 #include "core/film_statistics.h"
 #include "lab/engine.h"
 #include "scenes/format/scene_file.h"
+#include "tests/support/covered_bins.h"
 #include "tests/support/expect.h"
 #include "tests/support/statistics.h"
 
@@ -30,18 +29,6 @@ struct Case {
 std::ostream& operator<<(std::ostream& out, const Case& c) {
   return out << c.scene << ' ' << c.method << ' ' << parts << " x " << c.samples << " to "
              << c.growth * c.samples;
-}
-
-double covered(const FilmEstimate& film, const std::vector<double>& exact, double scale) {
-  const boost::math::students_t law(film.degrees_of_freedom);
-  const double reach = scale * boost::math::quantile(law, 0.975);
-  double covered = 0, counted = 0;
-  for (std::size_t i = 0; i < exact.size(); ++i) {
-    if (!film.reliable[i]) continue;
-    counted += 1;
-    if (std::abs(film.value[i] - exact[i]) <= reach * film.standard_error[i]) covered += 1;
-  }
-  return counted > 0 ? covered / counted : not_known;
 }
 
 double square_error(const FilmEstimate& film, const std::vector<double>& exact) {
@@ -86,13 +73,13 @@ TEST_P(MergedCoverage, IsThatOfOneRun) {
     }
     const Session session;
     const FilmEstimate film = merge(job, runs, session).film;
-    honest.add(covered(film, exact, 1));
-    too_short.add(covered(film, exact, 0.7));
+    honest.add(covered_bins(film, exact, 1).share());
+    too_short.add(covered_bins(film, exact, 0.7).share());
     of_merged.add(square_error(film, exact));
     reliable +=
         static_cast<double>(reliable_bins(film)) / static_cast<double>(exact.size()) / seeds;
     const std::vector<StoredRun> same(parts, runs.back());
-    twins.add(covered(merge(job, same, session).film, exact, 1));
+    twins.add(covered_bins(merge(job, same, session).film, exact, 1).share());
     Session one;
     one.budget = SampleBudget{samples};
     one.seed = 1000 * (k + 1) + parts;

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <initializer_list>
 #include <iterator>
 #include <string>
 
@@ -65,6 +68,11 @@ class CommandLine : public ::testing::Test {
   void write(const char* name, const std::string& text) const {
     std::ofstream(folder / name) << text;
   }
+  void change(const char* name, const std::function<void(std::string&)>& edit) const {
+    std::string bytes = contents(folder / name);
+    edit(bytes);
+    std::ofstream(folder / name, std::ios::binary) << bytes;
+  }
   bool exists(const char* name) const { return fs::exists(folder / name); }
   std::size_t entries() const {
     return static_cast<std::size_t>(
@@ -76,5 +84,13 @@ class CommandLine : public ::testing::Test {
 
 #define EXPECT_HAS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 #define EXPECT_LACKS(text, part) EXPECT_EQ((text).find(part), std::string::npos) << (text)
+
+// One line that says why, with the exit code of the fault.
+inline void expect_one_fault(const Outcome& outcome, int exit_code,
+                             std::initializer_list<const char*> words) {
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  for (const char* word : words) EXPECT_HAS(outcome.err, word);
+  EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+}
 
 }  // namespace wander::test

@@ -43,15 +43,8 @@ class ContinuingComparison : public CompareCommand {
   }
   void expect_refused(const std::string& arguments, int exit_code,
                       std::initializer_list<const char*> words) {
-    const Outcome outcome = compare(arguments);
-    EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.err;
-    for (const char* word : words) EXPECT_HAS(outcome.err, word);
-    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
-  }
-  void change(const char* name, const std::function<void(std::string&)>& edit) {
-    std::string bytes = contents(folder / name);
-    edit(bytes);
-    std::ofstream(folder / name, std::ios::binary) << bytes;
+    SCOPED_TRACE(arguments);
+    expect_one_fault(compare(arguments), exit_code, words);
   }
 };
 

@@ -18,10 +18,8 @@ class Merge : public KilledRuns {
   void expect_refused(const std::string& arguments, int exit_code,
                       std::initializer_list<const char*> words) {
     const std::size_t before = entries();
-    const Outcome outcome = wander("merge " + arguments);
-    EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.err;
-    for (const char* word : words) EXPECT_HAS(outcome.err, word);
-    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    SCOPED_TRACE(arguments);
+    expect_one_fault(wander("merge " + arguments), exit_code, words);
     EXPECT_EQ(entries(), before) << arguments;
   }
   json record_in(const std::string& directory) const {
