@@ -8,8 +8,7 @@
 namespace wander {
 
 std::size_t make_room(FilmEstimate& film) {
-  std::size_t bins = 1;
-  for (const int extent : film.shape) bins *= static_cast<std::size_t>(extent);
+  const std::size_t bins = values_of(film.shape);
   film.value.reserve(bins);
   film.standard_error.reserve(bins);
   film.reliable.reserve(bins);
@@ -117,31 +116,31 @@ void SampleFilm::clear() {
   samples_ = 0;
 }
 
-FilmEstimate SampleFilm::estimate(std::span<const int> resolution) const {
-  FilmEstimate film =
-      estimate_of_samples(resolution, samples_, techniques_, [this](std::size_t bin) {
-        return BinSums{sum_[bin].value(), squares_[bin].value()};
-      });
+FilmEstimate SampleFilm::estimate(std::span<const int> shape) const {
+  FilmEstimate film = estimate_of_samples(shape, samples_, techniques_, [this](std::size_t bin) {
+    return BinSums{sum_[bin].value(), squares_[bin].value()};
+  });
   film.by_length = lengths_.scaled(
       samples_ > 0 ? static_cast<double>(sum_.size()) / static_cast<double>(samples_) : 0);
   return film;
 }
 
-// The value of a bin is bins · E[x]: the mean of the film is E of a whole sample.
-FilmEstimate estimate_of_samples(std::span<const int> resolution, std::uint64_t samples,
+// The value of a pixel is pixels · E[x]: the mean of the film is E of a whole sample.
+FilmEstimate estimate_of_samples(std::span<const int> shape, std::uint64_t samples,
                                  const TechniqueTally& techniques,
                                  const std::function<BinSums(std::size_t bin)>& sums) {
-  FilmEstimate film{.shape = {resolution.begin(), resolution.end()}};
+  FilmEstimate film{.shape = {shape.begin(), shape.end()}};
   const std::size_t count = make_room(film);
-  const double n = static_cast<double>(samples), bins = static_cast<double>(count);
+  const double n = static_cast<double>(samples),
+               pixels = static_cast<double>(count) / channels_of(shape);
   film.degrees_of_freedom = std::max(0.0, n - 1);
   // Σ of rare light that a bin would have, were it spread evenly.
-  const double rare = techniques.rare_light(fewest_technique_samples * bins) / bins;
+  const double rare = techniques.rare_light(fewest_technique_samples * pixels) / pixels;
   for (std::size_t i = 0; i < count; ++i) {
     const auto [sum, squares] = sums(i);
     const double variance = std::max(0.0, squares - sum * sum / n) / (n - 1);
-    film.value.push_back(samples > 0 ? bins * sum / n : 0);
-    film.standard_error.push_back(samples > 1 ? bins * std::sqrt(variance / n)
+    film.value.push_back(samples > 0 ? pixels * sum / n : 0);
+    film.standard_error.push_back(samples > 1 ? pixels * std::sqrt(variance / n)
                                               : std::numeric_limits<double>::quiet_NaN());
     film.reliable.push_back(squares > 0 && sum * sum >= fewest_effective_samples * squares &&
                             rare <= most_rare_light * std::sqrt(variance * n));

@@ -5,6 +5,7 @@
 // spread of the groups is the error (mlt/run/deposit.h).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -96,24 +97,28 @@ struct BinSums {
 };
 
 // The film, but for its parts by length.
-FilmEstimate estimate_of_samples(std::span<const int> resolution, std::uint64_t samples,
+FilmEstimate estimate_of_samples(std::span<const int> shape, std::uint64_t samples,
                                  const TechniqueTally& techniques,
                                  const std::function<BinSums(std::size_t bin)>& sums);
 
-// What a sample found: a path of `vertices`, by technique s = `technique`.
+// What a sample found: a path of `vertices`, by technique s = `technique`.  `value` is luminance.
 struct Contribution {
   int vertices, technique, bin;
   double value;
+  std::array<double, 3> tint{1, 1, 1};  // counts on films in colour alone
 };
 using Contributions = std::vector<Contribution>;
 
-// Contributions of independent samples, per bin: Σ x and Σ x² over samples.
+// Contributions of independent samples, per bin: Σ x and Σ x² over samples.  In one channel.
 class SampleFilm {
  public:
   // Filled on its own and then merged.
   using Part = SampleFilm;
 
   SampleFilm(int bins, int max_vertices, const FilmLayout& layout = {});
+  // Of this shape.
+  SampleFilm(std::span<const int> shape, int max_vertices, const FilmLayout& layout)
+      : SampleFilm(static_cast<int>(values_of(shape)), max_vertices, layout) {}
 
   // To the sample that is under way.
   void add(int vertices, int technique, int bin, double contribution);
@@ -124,7 +129,7 @@ class SampleFilm {
   void clear();
 
   std::uint64_t samples() const { return samples_; }
-  FilmEstimate estimate(std::span<const int> resolution) const;
+  FilmEstimate estimate(std::span<const int> shape) const;
 
   // Between two samples.
   template <class Archive>

@@ -1,7 +1,7 @@
 // How a film is kept in memory while samples or chains fill it: the one place that says which films
 // are large.
 //
-//                        up to `most_small` bins          large
+//                        up to `most_small` bins          large, or in colour
 //   pixels of chains     one film for each group          few, shared by groups (shared_films.h)
 //   pixels of samples    a film for each unit under way   lists of what units found
 //   what normalization
@@ -13,6 +13,7 @@
 #include <cstdint>
 
 #include "core/raster.h"
+#include "core/tint.h"
 
 namespace wander {
 
@@ -28,14 +29,17 @@ struct FilmLayout {
 
   bool operator==(const FilmLayout&) const = default;
 
-  Raster raster(std::span<const int> film) const { return {film, most_small}; }
-  bool is_large(std::span<const int> film) const { return !raster(film).is_film(); }
+  // Of the shape of a film.
+  Raster raster(std::span<const int> film) const { return {pixels_of(film), most_small}; }
+  bool is_large(std::span<const int> film) const {
+    return !raster(film).is_film() || channels_of(film) > 1;
+  }
   // Are films of paths of each length kept?
   bool keeps_lengths(std::span<const int> film, int max_vertices) const {
     if (by_length == Keep::always) return true;
     std::int64_t numbers = max_vertices - 1;
     for (const int extent : film) numbers *= extent;
-    return !is_large(film) && numbers <= most_length_values;
+    return raster(film).is_film() && numbers <= most_length_values;
   }
   // Where acceptance is told apart; no cells if it is not.
   Raster maps_of(std::span<const int> film) const {

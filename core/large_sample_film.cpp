@@ -1,27 +1,35 @@
 #include "core/large_sample_film.h"
 
 #include <algorithm>
-#include <array>
 
 namespace wander {
 
-SampleList::SampleList(int bins, int max_vertices, const FilmLayout& layout)
-    : keeps_lengths_(layout.keeps_lengths(std::array{bins}, max_vertices)),
+SampleList::SampleList(std::span<const int> shape, int max_vertices, const FilmLayout& layout)
+    : keeps_lengths_(layout.keeps_lengths(shape, max_vertices)),
+      channels_(channels_of(shape)),
       techniques_(max_vertices) {}
 
 void SampleList::add(const Contributions& sample) {
   const std::size_t begin = bins_.size();
   for (const Contribution& c : sample) {
     techniques_.add(c.vertices, c.technique, c.value);
-    if (keeps_lengths_) lengths_.push_back({c.vertices, c.bin, c.value});
-    const auto known = std::find_if(bins_.begin() + static_cast<std::ptrdiff_t>(begin), bins_.end(),
-                                    [&](const OfBin& b) { return b.bin == c.bin; });
-    if (known == bins_.end())
-      bins_.push_back({c.bin, c.value});
-    else
-      known->value += c.value;
+    for (int k = 0; k < channels_; ++k) {
+      const int bin = c.bin * channels_ + k;
+      const double value = c.value * c.tint[static_cast<std::size_t>(k)];
+      if (keeps_lengths_) lengths_.push_back({c.vertices, bin, value});
+      add(bin, value, begin);
+    }
   }
   ++samples_;
+}
+
+void SampleList::add(int bin, double value, std::size_t begin) {
+  const auto known = std::find_if(bins_.begin() + static_cast<std::ptrdiff_t>(begin), bins_.end(),
+                                  [&](const OfBin& b) { return b.bin == bin; });
+  if (known == bins_.end())
+    bins_.push_back({bin, value});
+  else
+    known->value += value;
 }
 
 void SampleList::clear() {
@@ -31,9 +39,10 @@ void SampleList::clear() {
   samples_ = 0;
 }
 
-LargeSampleFilm::LargeSampleFilm(int bins, int max_vertices, const FilmLayout& layout)
-    : sums_(static_cast<std::size_t>(bins)), techniques_(max_vertices) {
-  if (layout.keeps_lengths(std::array{bins}, max_vertices))
+LargeSampleFilm::LargeSampleFilm(std::span<const int> shape, int max_vertices,
+                                 const FilmLayout& layout)
+    : sums_(values_of(shape)), techniques_(max_vertices) {
+  if (layout.keeps_lengths(shape, max_vertices))
     lengths_.resize(static_cast<std::size_t>(max_vertices) - 1);
 }
 
@@ -66,11 +75,12 @@ void LargeSampleFilm::merge(const LargeSampleFilm& other) {
   samples_ += other.samples_;
 }
 
-FilmEstimate LargeSampleFilm::estimate(std::span<const int> resolution) const {
-  FilmEstimate film = estimate_of_samples(resolution, samples_, techniques_,
+FilmEstimate LargeSampleFilm::estimate(std::span<const int> shape) const {
+  FilmEstimate film = estimate_of_samples(shape, samples_, techniques_,
                                           [this](std::size_t bin) { return sums_[bin]; });
-  const double scale =
-      samples_ > 0 ? static_cast<double>(sums_.size()) / static_cast<double>(samples_) : 0;
+  const double scale = samples_ > 0 ? static_cast<double>(sums_.size()) / channels_of(shape) /
+                                          static_cast<double>(samples_)
+                                    : 0;
   for (std::size_t k = 0; k < lengths_.size(); ++k) {
     if (lengths_[k].empty()) continue;
     auto& values = film.by_length[static_cast<int>(k) + 2] = lengths_[k];

@@ -1,7 +1,11 @@
-// The film of independent samples where there are many bins: one film of plain sums, to which the
+// The film of independent samples where there are many bins, or colours: one film of plain sums, to which the
 // lists of what units of samples found are added in order.  A unit under way so costs memory by what
 // it found, not by the bins.
 #pragma once
+
+#include <array>
+#include <span>
+#include <vector>
 
 #include "core/film.h"
 
@@ -10,7 +14,10 @@ namespace wander {
 // What some samples found, in their order.
 class SampleList {
  public:
-  SampleList(int bins, int max_vertices, const FilmLayout& layout);
+  // A film in one dimension.
+  SampleList(int bins, int max_vertices, const FilmLayout& layout)
+      : SampleList(std::array{bins}, max_vertices, layout) {}
+  SampleList(std::span<const int> shape, int max_vertices, const FilmLayout& layout);
 
   void add(const Contributions& sample);
   void clear();
@@ -42,7 +49,11 @@ class SampleList {
       archive(vertices, bin, value);
     }
   };
+  // To the sample that begins there among what was found.
+  void add(int bin, double value, std::size_t begin);
+
   bool keeps_lengths_;
+  int channels_;
   std::vector<OfBin> bins_;
   std::vector<OfLength> lengths_;
   TechniqueTally techniques_;
@@ -53,13 +64,16 @@ class LargeSampleFilm {
  public:
   using Part = SampleList;
 
-  LargeSampleFilm(int bins, int max_vertices, const FilmLayout& layout);
+  // A film in one dimension.
+  LargeSampleFilm(int bins, int max_vertices, const FilmLayout& layout)
+      : LargeSampleFilm(std::array{bins}, max_vertices, layout) {}
+  LargeSampleFilm(std::span<const int> shape, int max_vertices, const FilmLayout& layout);
 
   void merge(const SampleList& part);
   void merge(const LargeSampleFilm& other);
 
   std::uint64_t samples() const { return samples_; }
-  FilmEstimate estimate(std::span<const int> resolution) const;
+  FilmEstimate estimate(std::span<const int> shape) const;
 
   template <class Archive>
   void serialize(Archive& archive) {

@@ -140,7 +140,7 @@ template <World W>
 Scattering<W> Diffuse<W>::evaluate(Event, Local to_light, Local to_sensor) const {
   if (!same_side<W>(to_light, to_sensor)) return {};
   constexpr Real c = W::Dimension::template half_space<Real>;
-  return {reflectance / c, 1 / c, 1 / c};
+  return {reflectance / c, 1 / c, 1 / c, tint};
 }
 
 template <World W>
@@ -162,7 +162,7 @@ InvertedNumbers<W> Diffuse<W>::invert(Local, Local sampled, Event) const {
 template <World W>
 Scattering<W> Mirror<W>::evaluate(Event, Local to_light, Local to_sensor) const {
   if (!same_side<W>(to_light, to_sensor)) return {};
-  return {reflectance, 1, 1};
+  return {reflectance, 1, 1, tint};
 }
 
 template <World W>
@@ -238,6 +238,7 @@ Scattering<W> RoughConductor<W>::evaluate(Event, Local to_light, Local to_sensor
   const Facets<W> facets(roughness, half_vector<W>(to_light, to_sensor), to_light, to_sensor);
   Scattering<W> s = reflect_at_facets(facets, Real(1));
   s.value *= reflectance;
+  s.tint = tint;
   return s;
 }
 
@@ -336,6 +337,7 @@ InvertedNumbers<W> RoughDielectric<W>::invert(Local known, Local sampled, Event)
 WANDER_MATERIALS(Flatland)
 WANDER_MATERIALS(FlatlandSingle)
 WANDER_MATERIALS(Spaceland)
+WANDER_MATERIALS(SpacelandColour)
 #undef WANDER_MATERIALS
 
 template double fresnel(double, double, double);

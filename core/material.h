@@ -4,7 +4,8 @@
 // All values and densities are with respect to *projected angle* dσ⊥ = |cos θ| dω, so a density of
 // directions times the geometry term G is a density of area, and where a direction is sampled in
 // proportion to the cosine nothing has to be divided by it.
-//   value          f_s(light → sensor)     [Veach 1997, ch. 5: not symmetric in glass]
+//   value          f_s(light → sensor)     [Veach 1997, ch. 5: not symmetric in glass]; of colours
+//                  luminance, and `tint` is what they are beside it (tint.h)
 //   toward_sensor  density of sampling the sensor's direction, given the light's
 //   toward_light   density of sampling the light's direction, given the sensor's
 // For specular events all three are coefficients of one formal δ with ∫ δ n^(D-1) dσ⊥ = 1 on either
@@ -33,6 +34,7 @@ template <World W>
 struct Scattering {
   using Real = typename W::Real;
   Real value = 0, toward_sensor = 0, toward_light = 0;
+  [[no_unique_address]] typename W::Tint tint{};
 };
 
 // The random numbers that one scattering consumes.
@@ -79,6 +81,7 @@ struct Diffuse {
   using Real = typename W::Real;
   using Local = typename W::Local;
   Real reflectance;
+  [[no_unique_address]] typename W::Tint tint{};
 
   Scattering<W> evaluate(Event, Local to_light, Local to_sensor) const;
   std::optional<ScatterSample<W>> sample(Local known, ScatterNumbers<W> u) const;
@@ -92,6 +95,7 @@ struct Mirror {
   using Real = typename W::Real;
   using Local = typename W::Local;
   Real reflectance;
+  [[no_unique_address]] typename W::Tint tint{};
 
   Scattering<W> evaluate(Event, Local to_light, Local to_sensor) const;
   std::optional<ScatterSample<W>> sample(Local known, ScatterNumbers<W> u) const;
@@ -125,6 +129,7 @@ struct RoughConductor {
   using Real = typename W::Real;
   using Local = typename W::Local;
   Real roughness, reflectance;
+  [[no_unique_address]] typename W::Tint tint{};
 
   Scattering<W> evaluate(Event, Local to_light, Local to_sensor) const;
   std::optional<ScatterSample<W>> sample(Local known, ScatterNumbers<W> u) const;

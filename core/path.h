@@ -1,12 +1,13 @@
 // A light path: x_0 on a light, x_{n-1} on the sensor, in Veach's order.
 //
 // With every vertex the path keeps what the densities and the contribution are made of:
-//   value        Le(x_0→x_1), f_s(x_{i-1}→x_i→x_{i+1}), We(x_{n-2}→x_{n-1})
+//   value        Le(x_0→x_1), f_s(x_{i-1}→x_i→x_{i+1}), We(x_{n-2}→x_{n-1}); of colours, luminance
+//   tint         what the colour of value is beside that (tint.h)
 //   geometry     G(x_i, x_{i+1}) = V |cos cos'| / r^(D-1), of the edge towards the sensor
 //   from_light   density, per unit of area, of sampling x_i from its neighbour on the light's side
 //   from_sensor  the same from the sensor's side
 // so that, with (s,t) the technique that samples s vertices from the light and t from the sensor,
-//   f(x)       = Π value_i Π geometry_i
+//   f(x)       = Π value_i Π geometry_i · luminance(Π tint_i)
 //   p_{s,t}(x) = Π_{i<s} from_light_i Π_{i>=s} from_sensor_i            [Veach 1997, eq. 10.7-10.9]
 // Measure: area product over the vertices that are not specular.
 #pragma once
@@ -48,10 +49,11 @@ struct Vertex {
   double geometry = 0;
   Real value = 0, from_light = 0, from_sensor = 0;
   Event event = Event::scattering;
+  [[no_unique_address]] typename W::Tint tint{};
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(place, geometry, value, from_light, from_sensor, event);
+    archive(place, geometry, value, from_light, from_sensor, event, tint);
   }
 };
 
@@ -91,10 +93,28 @@ class Path {
   std::vector<double> weights_;
 };
 
-// f(x) = Π value Π geometry, with respect to the area product.
+// Π tint_i
+template <class W>
+typename W::Tint tint(const Path<W>& x) {
+  typename W::Tint product;
+  if constexpr (W::Tint::channels > 1)
+    for (int i = 0; i < x.size(); ++i) product *= x[i].tint;
+  return product;
+}
+
+// What a deposit of luminance 1 on behalf of this path shows.
+template <class W>
+typename W::Tint colour(const Path<W>& x) {
+  if constexpr (W::Tint::channels == 1)
+    return {};
+  else
+    return W::Tint::of(tint(x).colour);
+}
+
+// f(x), with respect to the area product.
 template <class W>
 Scaled contribution(const Path<W>& x) {
-  Scaled f = double(x[x.size() - 1].value);
+  Scaled f = double(x[x.size() - 1].value) * luminance(tint(x));
   for (int i = 0; i + 1 < x.size(); ++i) f *= double(x[i].value) * x[i].geometry;
   return f;
 }

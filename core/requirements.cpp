@@ -85,11 +85,23 @@ bool is_coloured(const Scene& scene, const std::vector<MaterialKind>& materials)
 
 }  // namespace
 
-std::vector<int> film_shape(const description::Scene& scene) {
-  if (scene.camera) return scene.camera->resolution;
+std::vector<int> film_resolution(const description::Scene& scene) {
   const auto sensor = std::ranges::find_if(
       scene.shapes, [](const description::Shape& shape) { return shape.sensor.has_value(); });
-  return sensor == scene.shapes.end() ? std::vector<int>{} : sensor->sensor->resolution;
+  std::vector<int> resolution;
+  if (scene.camera)
+    resolution = scene.camera->resolution;
+  else if (sensor != scene.shapes.end())
+    resolution = sensor->sensor->resolution;
+  // Files say the width first, films have the fastest axis last.
+  std::ranges::reverse(resolution);
+  return resolution;
+}
+
+std::vector<int> film_shape(const description::Scene& scene) {
+  std::vector<int> shape = film_resolution(scene);
+  if (is_coloured(scene, materials_in_use(scene))) shape.push_back(3);
+  return shape;
 }
 
 std::string type_of(const ShapeKind& kind) {

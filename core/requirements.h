@@ -22,7 +22,9 @@ struct Requirements {
 
 Requirements requires_of(const description::Scene& scene);
 
-// Of the film: one number, or width and height.
+// Of the film, without its channels: the number of bins, or height and width.
+std::vector<int> film_resolution(const description::Scene& scene);
+// How its values are laid out (tint.h): the same, and three channels where there is colour.
 std::vector<int> film_shape(const description::Scene& scene);
 
 // As scene files call it: "segment", "arc", ...

@@ -41,7 +41,8 @@ Scene<W>::Scene(SceneParts<W> parts)
                          .scatters = !std::holds_alternative<Black<W>>(material),
                          .is_flat = is_flat<W>(part.shape),
                          .is_sensor = part.is_sensor,
-                         .radiance = part.radiance});
+                         .radiance = part.radiance,
+                         .tint = part.tint});
     if (part.is_sensor) sensor_ = id;
     if (!(part.radiance > 0)) continue;
     lights_.push_back(id);
@@ -71,6 +72,13 @@ Box<W> Scene<W>::bounds() const {
 }
 
 template <World W>
+std::vector<int> Scene<W>::film_shape() const {
+  std::vector<int> shape = resolution_;
+  if (W::channels > 1) shape.push_back(W::channels);
+  return shape;
+}
+
+template <World W>
 int Scene<W>::bin(typename W::Square film) const {
   // Film coordinates name the fastest axis first, `resolution` last.
   int index = 0;
@@ -95,5 +103,6 @@ auto Scene<W>::sensor_measure() const -> Length {
 template class Scene<Flatland>;
 template class Scene<FlatlandSingle>;
 template class Scene<Spaceland>;
+template class Scene<SpacelandColour>;
 
 }  // namespace wander

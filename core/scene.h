@@ -24,8 +24,9 @@ struct Surface {
   bool scatters = false;     // false: black
   bool is_flat = false;      // no two points of one primitive see each other
   bool is_sensor = false;
-  Real radiance = 0;       // 0: no light
+  Real radiance = 0;       // 0: no light; of colours luminance, as all values
   Real light_density = 0;  // of points, when a light is sampled; per unit of area
+  [[no_unique_address]] typename W::Tint tint{};  // of its radiance
 
   bool is_light() const { return radiance > 0; }
 };
@@ -37,6 +38,7 @@ struct SceneParts {
     std::size_t material;
     typename W::Real radiance = 0;
     bool is_sensor = false;
+    [[no_unique_address]] typename W::Tint tint{};  // of its radiance
   };
   std::vector<Material<W>> materials;
   std::vector<Part> parts;
@@ -57,8 +59,11 @@ class Scene {
   Scene& operator=(const Scene&) = delete;
 
   int max_vertices() const { return max_vertices_; }
+  // Of the film, without its channels.
   std::span<const int> resolution() const { return resolution_; }
   int bins() const { return bins_; }
+  // How its values are laid out (tint.h).
+  std::vector<int> film_shape() const;
   int bin(typename W::Square film) const;
 
   const Surface<W>& surface(ShapeId id) const { return surfaces_[static_cast<std::size_t>(id)]; }

@@ -82,7 +82,7 @@ Scaled technique_density(const Path<W>& x, int s) {
 template <class W>
 double unweighted_contribution(const Path<W>& x, int s) {
   const int n = x.size();
-  double c = s > 0 && s < n ? x[s - 1].geometry : 1;
+  double c = (s > 0 && s < n ? x[s - 1].geometry : 1) * luminance(tint(x));
   for (int i = 0; i < s; ++i)
     c *= (i > 0 ? x[i - 1].geometry : 1) * double(x[i].value) / double(x[i].from_light);
   for (int i = n - 1; i >= s; --i)

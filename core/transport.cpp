@@ -200,6 +200,7 @@ void Transport<W>::evaluate_emission(Path<W>& x) const {
   const bool faces = glm::dot(v.place.to_sensor, v.place.normal) > 0;
   constexpr Real c = W::Dimension::template half_space<Real>;
   v.value = faces ? light.radiance : 0;
+  v.tint = light.tint;
   v.from_light = light.light_density;
   x[1].from_light = faces ? static_cast<Real>(v.geometry / c) : 0;
 }
@@ -210,6 +211,7 @@ void Transport<W>::evaluate_detection(Path<W>& x, int i) const {
   Vertex<W>& v = x[i];
   const Direction direction = -x[i - 1].place.to_sensor;
   const double edge = x[i - 1].geometry;
+  v.tint = {};
   if (v.place.shape == no_shape) {
     const Camera<W>& camera = *scene_->camera();
     const Real density = camera.direction_density(v.place.position, direction);
@@ -236,6 +238,7 @@ void Transport<W>::evaluate(Path<W>& x, int i) const {
       [&](const auto& m) { return m.evaluate(v.event, to_light, to_sensor); }, material(v));
   const auto q = static_cast<double>(survival(v));
   v.value = s.value;
+  v.tint = s.tint;
   x[i + 1].from_light = static_cast<Real>(q * s.toward_sensor * v.geometry);
   x[i - 1].from_sensor = static_cast<Real>(q * s.toward_light * x[i - 1].geometry);
 }
@@ -302,9 +305,11 @@ auto Transport<W>::film_position(const Path<W>& x) const -> typename W::Square {
 static_assert(MovablePathSpace<Transport<Flatland>>);
 static_assert(MovablePathSpace<Transport<FlatlandSingle>>);
 static_assert(MovablePathSpace<Transport<Spaceland>>);
+static_assert(MovablePathSpace<Transport<SpacelandColour>>);
 
 template class Transport<Flatland>;
 template class Transport<FlatlandSingle>;
 template class Transport<Spaceland>;
+template class Transport<SpacelandColour>;
 
 }  // namespace wander

@@ -1,5 +1,5 @@
-// The worlds in which light is transported.  A world fixes the dimension and the precision; all of
-// light transport is written once, for any world.
+// The worlds in which light is transported.  A world fixes the dimension, the precision and the
+// channels of colour; all of light transport is written once, for any world.
 //
 // Positions, directions and distances are never held below double precision (`Length`); scattering,
 // densities and sampling use `Real`, so half vectors, refraction and Fresnel's terms, which are
@@ -14,6 +14,7 @@
 #include <type_traits>
 
 #include "core/dimension.h"
+#include "core/tint.h"
 #include "core/vector.h"
 
 namespace wander {
@@ -21,9 +22,9 @@ namespace wander {
 template <class W>
 struct Place;  // where a vertex of a path is: path.h
 
-template <int D, std::floating_point R>
+template <int D, std::floating_point R, int Channels = 1>
 struct Universe {
-  static constexpr int dimension = D;
+  static constexpr int dimension = D, channels = Channels;
   using Real = R;
   using Length = std::conditional_t<std::same_as<R, float>, double, R>;
   using Point = Vec<D, Length>;
@@ -31,12 +32,14 @@ struct Universe {
   using Local = Vec<D, Length>;         // the same in a frame whose last axis is the normal
   using Square = std::array<R, D - 1>;  // what a position on a surface, or a direction, is made of
   using Dimension = wander::Dimension<D>;
+  using Tint = wander::Tint<Channels>;
   using Place = wander::Place<Universe>;
 };
 
 using Flatland = Universe<2, double>;
 using FlatlandSingle = Universe<2, float>;
 using Spaceland = Universe<3, double>;
+using SpacelandColour = Universe<3, double, 3>;
 
 // A coordinate of the unit cube, which is half open, in a precision that may be less: no number
 // below 1 is rounded to 1.
@@ -60,6 +63,7 @@ concept World = requires {
   typename W::Length;
   typename W::Point;
   typename W::Dimension;
+  typename W::Tint;
 };
 
 }  // namespace wander

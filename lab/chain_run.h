@@ -105,9 +105,7 @@ class ChainRun final : public LiveRun {
  private:
   static constexpr std::uint64_t steps_per_round = 1024;  // of each group
 
-  std::vector<int> shape() const {
-    return {space_.scene().resolution().begin(), space_.scene().resolution().end()};
-  }
+  std::vector<int> shape() const { return space_.scene().film_shape(); }
   MutationStatistics no_statistics() const {
     return {Chains::move_names(), settings_.film.maps_of(space_.scene().resolution()),
             space_.max_vertices()};

@@ -19,12 +19,13 @@ namespace {
 template <World W>
 constexpr Engine engine_in() {
   constexpr bool is_single = std::same_as<typename W::Real, float>;
-  return {.world = {W::dimension, is_single ? Precision::of_float : Precision::of_double},
-          .carry_on = &carry_on_in<W>,
-          .merge = &merge_in<W>,
-          .trace = &trace_in<W>,
-          .replay = &replay_in<W>,
-          .check = &check_in<W>};
+  return {
+      .world = {W::dimension, is_single ? Precision::of_float : Precision::of_double, W::channels},
+      .carry_on = &carry_on_in<W>,
+      .merge = &merge_in<W>,
+      .trace = &trace_in<W>,
+      .replay = &replay_in<W>,
+      .check = &check_in<W>};
 }
 
 template <World... Ws>
@@ -33,11 +34,12 @@ constexpr std::array<Engine, sizeof...(Ws)> engines_in(WorldList<Ws...>) {
 }
 constexpr std::array table = engines_in(Worlds{});
 
-constexpr bool has(int dimension, Precision precision) {
-  return std::ranges::count(table, WorldKind{dimension, precision}, &Engine::world) == 1;
+constexpr bool has(const WorldKind& world) {
+  return std::ranges::count(table, world, &Engine::world) == 1;
 }
-static_assert(std::ranges::all_of(precisions,
-                                  [](Precision precision) { return has(2, precision); }));
+static_assert(std::ranges::all_of(precisions, [](Precision precision) {
+  return has({2, precision});
+}));
 
 const Engine& engine_of(const Job& job) {
   return *std::ranges::find(table, job.world(), &Engine::world);  // Job has seen to it
@@ -56,13 +58,7 @@ void require_memory(const KeptRun& from, const Job& job, const Session& session)
 std::span<const Engine> engines() { return table; }
 
 std::string why_no_engine(const WorldKind& world) {
-  if (has(world.dimension, world.precision)) return {};
-  if (std::ranges::none_of(
-          table, [&](const Engine& engine) { return engine.world.dimension == world.dimension; }))
-    return fmt::format(
-        "this version has no methods for scenes of {} dimensions; it reads them, and "
-        "inspect says what they hold",
-        world.dimension);
+  if (has(world)) return {};
   return fmt::format("scenes of {} dimensions cannot be computed in precision {}", world.dimension,
                      name_of(world.precision));
 }

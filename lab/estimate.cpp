@@ -34,10 +34,11 @@ std::unique_ptr<LiveRun> make_estimate(const Scene<W>& scene, const Estimator& e
                Rng& rng, Contributions& found) mutable {
       sampler.sample(rng, [&](const Path<W>& path, int s, double weighted) {
         found.push_back({path.size(), s, transport->bin(path), weighted});
+        if constexpr (W::channels > 1) found.back().tint = colour(path).colour;
       });
     };
   };
-  return make_sample_run(estimator.name, scene.resolution(), scene.max_vertices(), layout,
+  return make_sample_run(estimator.name, scene.film_shape(), scene.max_vertices(), layout,
                          execution, make);
 }
 
@@ -49,6 +50,8 @@ Rendering estimate(const Scene<W>& scene, const Estimator& estimator, const Sess
 
 template std::unique_ptr<LiveRun> IndependentSamples::make(const Stage<Flatland>&);
 template std::unique_ptr<LiveRun> IndependentSamples::make(const Stage<FlatlandSingle>&);
+template std::unique_ptr<LiveRun> IndependentSamples::make(const Stage<Spaceland>&);
+template std::unique_ptr<LiveRun> IndependentSamples::make(const Stage<SpacelandColour>&);
 template std::unique_ptr<LiveRun> make_estimate(const Scene<Flatland>&, const Estimator&,
                                                 const FilmLayout&, const Run&);
 template Rendering estimate(const Scene<Flatland>&, const Estimator&, const Session&);
@@ -58,5 +61,8 @@ template Rendering estimate(const Scene<FlatlandSingle>&, const Estimator&, cons
 template std::unique_ptr<LiveRun> make_estimate(const Scene<Spaceland>&, const Estimator&,
                                                 const FilmLayout&, const Run&);
 template Rendering estimate(const Scene<Spaceland>&, const Estimator&, const Session&);
+template std::unique_ptr<LiveRun> make_estimate(const Scene<SpacelandColour>&, const Estimator&,
+                                                const FilmLayout&, const Run&);
+template Rendering estimate(const Scene<SpacelandColour>&, const Estimator&, const Session&);
 
 }  // namespace wander

@@ -7,10 +7,14 @@
 
 namespace wander {
 
+WorldKind world_of(const description::Scene& scene, const Dials& dials) {
+  return {scene.dimension, dials.precision, requires_of(scene).colour_channels};
+}
+
 std::vector<std::string> why_unfit(const description::Scene& scene, const Method& method,
                                    const Dials& dials) {
   std::vector<std::string> reasons;
-  if (const std::string why = why_no_engine({scene.dimension, dials.precision}); !why.empty())
+  if (const std::string why = why_no_engine(world_of(scene, dials)); !why.empty())
     reasons.push_back(why);
   else if (const std::string why = why_beyond(dials.precision, scene); !why.empty())
     reasons.push_back(fmt::format("--precision {} cannot hold this scene: {}; use double",

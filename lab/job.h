@@ -16,8 +16,12 @@ namespace wander {
 struct WorldKind {
   int dimension;
   Precision precision;
+  int channels = 1;  // of colour
   bool operator==(const WorldKind&) const = default;
 };
+
+// That a scene asks for.
+WorldKind world_of(const description::Scene& scene, const Dials& dials);
 
 // All that speaks against it, each in a sentence; none if it can be computed.
 std::vector<std::string> why_unfit(const description::Scene& scene, const Method& method,
@@ -33,7 +37,7 @@ class Job {
   const description::Scene& scene() const { return scene_; }
   const Method& method() const { return *method_; }
   const Dials& dials() const { return dials_; }
-  WorldKind world() const { return {scene_.dimension, dials_.precision}; }
+  WorldKind world() const { return world_of(scene_, dials_); }
 
   // Of the mutations in path space.
   Family family() const;

@@ -22,36 +22,29 @@ constexpr double of_sum = sizeof(Sum), of_double = sizeof(double), of_float = si
 // Of a bin of a film as it comes out: value, error, and a flag.
 constexpr double of_result = 2 * of_double + 1.0 / 8;
 
-std::vector<int> resolution_of(const description::Scene& scene) {
-  if (scene.camera) return scene.camera->resolution;
-  for (const description::Shape& shape : scene.shapes)
-    if (shape.sensor) return shape.sensor->resolution;
-  return {1};
-}
-
 // What all is counted in.
 struct Size {
   explicit Size(const Job& job)
-      : resolution(resolution_of(job.scene())),
+      : shape(film_shape(job.scene())),
         max_vertices(job.scene().max_vertices),
         layout(job.dials().film),
-        is_large(layout.is_large(resolution)),
-        cells(static_cast<double>(layout.raster(resolution).cells())),
-        lengths(layout.keeps_lengths(resolution, max_vertices) ? max_vertices - 1 : 0) {
-    for (const int extent : resolution) bins *= extent;
+        is_large(layout.is_large(shape)),
+        bins(static_cast<double>(values_of(shape))),
+        cells(static_cast<double>(layout.raster(shape).cells())),
+        lengths(layout.keeps_lengths(shape, max_vertices) ? max_vertices - 1 : 0) {
     if (!job.method().is_markov_chain()) return;
     moves = job.method().state == ChainState::path ? static_cast<double>(Family::count) : 2;
-    maps = 2 * moves * static_cast<double>(layout.maps_of(resolution).cells());
+    maps = 2 * moves * static_cast<double>(layout.maps_of(shape).cells());
   }
 
-  std::vector<int> resolution;
+  std::vector<int> shape;
   int max_vertices;
   FilmLayout layout;
   bool is_large;
-  double bins = 1, cells;
-  double lengths;    // of which films are kept
-  double moves = 0;  // mutations of the chains
-  double maps = 0;   // numbers
+  double bins, cells;  // a bin is one channel of a pixel
+  double lengths;      // of which films are kept
+  double moves = 0;    // mutations of the chains
+  double maps = 0;     // numbers
 };
 
 double result_of(const Size& size) { return size.bins * (of_result + size.lengths * of_double); }
@@ -59,7 +52,7 @@ double result_of(const Size& size) { return size.bins * (of_result + size.length
 // The planes of the image, and a few of its rows packed and not.
 double files_of(const Size& size) {
   const double planes = 3 + size.lengths + (size.maps > 0 ? 2 * size.moves : 0);
-  const double row = size.resolution.size() == 1 ? 1 : 0.1;
+  const double row = size.shape.size() == 1 ? 1 : 0.1;
   return result_of(size) + size.bins * of_float * planes * (1 + 3 * row);
 }
 

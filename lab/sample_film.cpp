@@ -22,12 +22,6 @@ constexpr std::uint64_t samples_per_unit(std::uint64_t bins) {
   return std::max<std::uint64_t>(4096, bins / 4);
 }
 
-int bins_of(std::span<const int> shape) {
-  int bins = 1;
-  for (const int extent : shape) bins *= extent;
-  return bins;
-}
-
 // Sums over samples, and their number.
 template <class Film>
 class SampleFindings final : public Findings {
@@ -73,8 +67,8 @@ class SampleRun final : public LiveRun {
         shape_(shape.begin(), shape.end()),
         max_vertices_(max_vertices),
         layout_(layout),
-        per_unit_(samples_per_unit<Film>(static_cast<std::uint64_t>(bins_of(shape)))),
-        film_(bins_of(shape), max_vertices, layout) {
+        per_unit_(samples_per_unit<Film>(values_of(shape))),
+        film_(shape, max_vertices, layout) {
     for (int i = 0; i < slots_of(run); ++i) slots_.push_back({make(), {}, empty_part()});
   }
 
@@ -144,7 +138,7 @@ class SampleRun final : public LiveRun {
   };
   static constexpr std::uint64_t units_per_stride = 64, fewest_units = 16;  // of each thread
 
-  Part empty_part() const { return {bins_of(shape_), max_vertices_, layout_}; }
+  Part empty_part() const { return {shape_, max_vertices_, layout_}; }
 
   void extend_to(std::uint64_t end, std::uint64_t per_unit) {
     const std::uint64_t first = film_.samples();

@@ -14,7 +14,7 @@ namespace wander {
 template <World W>
 void check_in(const Job& job, const InvarianceOptions& options, const Run& run,
               const KernelChecked& done) {
-  const auto scene = build_flatland<W>(job.scene());
+  const auto scene = build_scene<W>(job.scene());
   const Transport<W> space(*scene, Roulette::off);
   const Starts<Transport<W>> starts(space, options.seed);
   if (!starts.found_light())

@@ -8,6 +8,6 @@ namespace wander {
 template <World... Ws>
 struct WorldList {};
 
-using Worlds = WorldList<Flatland, FlatlandSingle>;
+using Worlds = WorldList<Flatland, FlatlandSingle, Spaceland, SpacelandColour>;
 
 }  // namespace wander

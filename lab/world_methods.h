@@ -67,7 +67,7 @@ class WorldMethods {
   WorldMethods(const Job& job, const Run& execution)
       : job_(job),
         execution_(execution),
-        scene_(build_flatland<W>(job.scene())),
+        scene_(build_scene<W>(job.scene())),
         space_(*scene_, Roulette::off) {}
 
   std::unique_ptr<LiveRun> make() const {

@@ -19,7 +19,7 @@ class WorldTracers {
   WorldTracers(const Job& job, const Session& session)
       : job_(job),
         session_(session),
-        scene_(build_flatland<W>(job.scene())),
+        scene_(build_scene<W>(job.scene())),
         space_(*scene_, Roulette::off) {}
 
   Trace trace(const TraceRequest& request) const {

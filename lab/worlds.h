@@ -1,5 +1,5 @@
 // What an engine is made of, for any world.  Each function is made for each world in a file of its
-// own (world_methods_float.cpp, world_methods_double.cpp, ...), for they take long to compile.
+// own (world_methods_float.cpp, world_methods_space.cpp, ...), for they take long to compile.
 #pragma once
 
 #include "core/world.h"

@@ -303,5 +303,6 @@ bool Bvh<W>::any(const Ray<W>& ray) const {
 template class Bvh<Flatland>;
 template class Bvh<FlatlandSingle>;
 template class Bvh<Spaceland>;
+template class Bvh<SpacelandColour>;
 
 }  // namespace wander

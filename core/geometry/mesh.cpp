@@ -89,5 +89,6 @@ Box<W> Mesh<W>::bounds() const {
 }
 
 template class Mesh<Spaceland>;
+template class Mesh<SpacelandColour>;
 
 }  // namespace wander

@@ -137,6 +137,8 @@ Box<W> Parallelogram<W>::bounds() const {
 }
 
 template class Sphere<Spaceland>;
+template class Sphere<SpacelandColour>;
 template class Parallelogram<Spaceland>;
+template class Parallelogram<SpacelandColour>;
 
 }  // namespace wander

@@ -23,7 +23,7 @@ struct MultiplexedPath {
   // Its only splat.
   template <class F>
   void for_each_share(F&& f) const {
-    if (total > 0) f(path.size(), bin, 1.0);
+    if (total > 0) f(path.size(), bin, 1.0, colour(path));
   }
 
   template <class Archive>

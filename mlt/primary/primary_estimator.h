@@ -26,8 +26,9 @@ template <class Sample>
 void deposit(const PrimaryStep<Sample>& step, PrimaryDeposit weights, GroupFilm& film) {
   const auto add = [&film](const Sample& sample, double weight) {
     if (!(weight > 0)) return;
-    sample.for_each_share(
-        [&](int vertices, int bin, double share) { film.add(vertices, bin, weight * share); });
+    sample.for_each_share([&](int vertices, int bin, double share, const auto& colour) {
+      film.add(vertices, bin, weight * share, colour);
+    });
   };
   add(step.current, weights.current);
   add(step.proposed, weights.proposed);

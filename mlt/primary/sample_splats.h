@@ -10,35 +10,38 @@
 
 namespace wander {
 
+template <class W>
 struct Splat {
   Features features{};
   double weight = 0;  // w f / p
+  [[no_unique_address]] typename W::Tint colour{};
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(features, weight);
+    archive(features, weight, colour);
   }
 };
 
 // Memory is reserved once, for a splat of every technique.
+template <class W>
 struct SampleSplats {
   explicit SampleSplats(int max_vertices) {
     const auto n = static_cast<std::size_t>(max_vertices) + 1;
     splats.reserve(n * (n + 1) / 2);
   }
 
-  std::vector<Splat> splats;
+  std::vector<Splat<W>> splats;
   double total = 0;  // C*
   Reason flaw = Reason::zero_contribution;
 
-  // f(splat, its share of C*)
+  // f(splat, its share of C*, its colour)
   template <class F>
   void for_each_share(F&& f) const {
-    for (const Splat& s : splats) f(s.features.vertices, s.features.bin, s.weight / total);
+    for (const auto& s : splats) f(s.features.vertices, s.features.bin, s.weight / total, s.colour);
   }
   // Of the brightest splat, which stands for all where one must; dark if there is none.
   Features brightest() const {
-    const auto found = std::ranges::max_element(splats, {}, &Splat::weight);
+    const auto found = std::ranges::max_element(splats, {}, &Splat<W>::weight);
     return found == splats.end() ? Features{} : found->features;
   }
 
@@ -52,7 +55,7 @@ template <class Space>
 class SplatSampler {
  public:
   using W = typename Space::Universe;
-  using Sample = SampleSplats;
+  using Sample = SampleSplats<W>;
 
   explicit SplatSampler(const Space& space)
       : space_(space),
@@ -68,7 +71,7 @@ class SplatSampler {
     sample.splats.clear();
     sample.total = 0;
     sampler_.sample(random, [&](const Path<W>& x, int, double weight) {
-      sample.splats.push_back({features(space_, x), weight});
+      sample.splats.push_back({features(space_, x), weight, colour(x)});
       sample.total += weight;
     });
     sample.flaw = sample.total > 0 ? Reason::none : Reason::zero_contribution;

@@ -24,7 +24,7 @@ class ChainGroups {
     for (int g = 0; g < settings.groups; ++g)
       groups_.push_back(std::make_unique<Chains>(space, kernel, run.session().seed, g,
                                                  settings.chains_per_group, settings.film));
-    const auto film = space.scene().resolution();
+    const std::vector<int> film = space.scene().film_shape();
     if (Group<Chains> && settings.film.is_large(film))
       shared_.emplace(film, space.max_vertices(), settings.groups, settings.film);
   }

@@ -18,13 +18,15 @@ class GroupFilm {
  public:
   // A film in one dimension.
   GroupFilm(int bins, int max_vertices) : GroupFilm(std::array{bins}, max_vertices, {}) {}
+  // Of this shape.
   GroupFilm(std::span<const int> film, int max_vertices, const FilmLayout& layout)
       : raster_(layout.raster(film)),
         weights_(raster_.cells()),
         by_length_(static_cast<std::size_t>(max_vertices) - 1),
-        lengths_(
-            static_cast<int>(raster_.cells()),
-            raster_.is_film() && layout.keeps_lengths(film, max_vertices) ? max_vertices - 1 : 0) {}
+        lengths_(static_cast<int>(raster_.cells()),
+                 !layout.is_large(film) && layout.keeps_lengths(film, max_vertices)
+                     ? max_vertices - 1
+                     : 0) {}
 
   // Before the first deposit, of a large film: there a deposit counts so many times.
   void share(SharedFilm& pixels, double factor) {
@@ -32,12 +34,14 @@ class GroupFilm {
     factor_ = factor;
   }
 
-  void add(int vertices, int bin, double weight) {
+  // Of luminance `weight`.
+  template <int Channels = 1>
+  void add(int vertices, int bin, double weight, const Tint<Channels>& colour = {}) {
     const std::size_t cell = raster_.cell(bin);
     weights_[cell] += weight;
     by_length_[static_cast<std::size_t>(vertices) - 2] += weight;
     if (pixels_)
-      pixels_->add(vertices, bin, factor_ * weight);
+      pixels_->add(vertices, bin, factor_ * weight, colour);
     else
       lengths_.add(vertices, bin, weight);
   }
@@ -66,9 +70,11 @@ class GroupFilm {
 template <class Space>
 void deposit(const Space& space, const Step<typename Space::Universe>& step, int current_bin,
              GroupFilm& film) {
-  if (step.acceptance < 1) film.add(step.current.size(), current_bin, 1 - step.acceptance);
+  if (step.acceptance < 1)
+    film.add(step.current.size(), current_bin, 1 - step.acceptance, colour(step.current));
   if (step.acceptance > 0)
-    film.add(step.proposed.size(), space.bin(step.proposed), step.acceptance);
+    film.add(step.proposed.size(), space.bin(step.proposed), step.acceptance,
+             colour(step.proposed));
 }
 
 // The film of all groups.  Group g estimates a bin by bins · b_g · (its share of the deposits); the

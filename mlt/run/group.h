@@ -42,7 +42,7 @@ class ChainGroup {
   ChainGroup(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains,
              const FilmLayout& layout = {})
       : source_(space, kernel, seed, group, chains, layout),
-        film_(space.scene().resolution(), space.max_vertices(), layout),
+        film_(space.scene().film_shape(), space.max_vertices(), layout),
         states_(source_.evidence().ratios.size()),
         statistics_(move_names(), layout.maps_of(space.scene().resolution()),
                     space.max_vertices()) {}

@@ -39,6 +39,10 @@ class Parts {
   std::size_t count_ = 0;
 };
 
+double pixels_in(const Parts& parts, std::span<const int> shape) {
+  return static_cast<double>(parts.bins()) / channels_of(shape);
+}
+
 double sum_of(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
@@ -74,7 +78,7 @@ bool is_reliable(std::size_t films, double value, double error) {
 FilmEstimate mean_film(const SharedLight& run, std::vector<int> shape) {
   const std::array runs{run};
   const Parts parts(runs);
-  const auto bins = static_cast<double>(parts.bins()), count = static_cast<double>(parts.count());
+  const double pixels = pixels_in(parts, shape), count = static_cast<double>(parts.count());
   FilmEstimate film{.shape = std::move(shape)};
   film.degrees_of_freedom = count - 1;
   make_room(film);
@@ -84,12 +88,13 @@ FilmEstimate mean_film(const SharedLight& run, std::vector<int> shape) {
     const double mean = sum_of(light) / count;
     double squares = 0;
     for (const double x : light) squares += (x - mean) * (x - mean);
-    const double error = count > 1 ? bins * std::sqrt(squares / (count * (count - 1))) : not_known;
-    film.value.push_back(bins * mean);
+    const double error =
+        count > 1 ? pixels * std::sqrt(squares / (count * (count - 1))) : not_known;
+    film.value.push_back(pixels * mean);
     film.standard_error.push_back(error);
-    film.reliable.push_back(is_reliable(parts.count(), bins * mean, error));
+    film.reliable.push_back(is_reliable(parts.count(), pixels * mean, error));
   }
-  film.by_length = by_length(runs, bins);
+  film.by_length = by_length(runs, pixels);
   return film;
 }
 
@@ -116,12 +121,13 @@ FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& 
                              std::vector<int> shape) {
   const Parts parts(runs);
   const std::vector<double> without = without_films(runs, constant), weights = parts.weights();
-  const auto bins = static_cast<double>(parts.bins());
-  const double b = constant.b.value;
+  const double pixels = pixels_in(parts, shape), b = constant.b.value;
+  const int channels = channels_of(shape);
   std::vector<double> light, masses(parts.count());
   for (std::size_t j = 0; j < parts.bins(); ++j) {
     parts.at(j, light);
-    for (std::size_t f = 0; f < light.size(); ++f) masses[f] += light[f];
+    const double weight = luminance_weight(channels, j);
+    for (std::size_t f = 0; f < light.size(); ++f) masses[f] += weight * light[f];
   }
   const double mass = sum_of(masses);
   const auto lit = static_cast<std::size_t>(
@@ -140,13 +146,13 @@ FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& 
       const double deviation = values[f] / b - share;
       deviations[f] += deviation * deviation;
     }
-    const double value = b * bins * share, error = bins * jackknife_error(values, weights);
+    const double value = b * pixels * share, error = pixels * jackknife_error(values, weights);
     film.value.push_back(value);
     film.standard_error.push_back(error);
     film.reliable.push_back(is_reliable(lit, value, error));
   }
   film.degrees_of_freedom = jackknife_degrees(deviations);
-  film.by_length = by_length(runs, b * bins * static_cast<double>(parts.count()) / mass);
+  film.by_length = by_length(runs, b * pixels * static_cast<double>(parts.count()) / mass);
   return film;
 }
 

@@ -27,7 +27,7 @@ class SampleChain {
       throw SeedReplayError("a seed sample could not be replayed from its random numbers");
   }
 
-  const SampleSplats& current() const { return chain_.current(); }
+  const typename Sampler::Sample& current() const { return chain_.current(); }
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -48,6 +48,7 @@ class SampleChain {
 template <class Space, class SmallStep, class Estimator>
 class PssmltChains : public SeededChains<Space, SampleSeeds> {
  public:
+  using Splats = SampleSplats<typename Space::Universe>;
   using Kernel = PrimaryKernel<SmallStep>;
   using Chain = SampleChain<Space, SmallStep>;
   using Turns = EvenTurns;
@@ -83,15 +84,15 @@ class PssmltChains : public SeededChains<Space, SampleSeeds> {
 
   // ---- for those who watch
 
-  void deposit(int, const PrimaryStep<SampleSplats>& step, const Features&, GroupFilm& film) const {
+  void deposit(int, const PrimaryStep<Splats>& step, const Features&, GroupFilm& film) const {
     wander::deposit(step, Estimator::deposit(step, constants_), film);
   }
-  Observation observation(const PrimaryStep<SampleSplats>& step, const Features& current) const {
+  Observation observation(const PrimaryStep<Splats>& step, const Features& current) const {
     return primary_observation(step, current, features_of(step.proposed));
   }
-  Features features_of(const SampleSplats& sample) const { return sample.brightest(); }
-  double ratio(const SampleSplats& sample) const { return sample.total; }
-  Functionals functionals_of(const SampleSplats& sample) const {
+  Features features_of(const Splats& sample) const { return sample.brightest(); }
+  double ratio(const Splats& sample) const { return sample.total; }
+  Functionals functionals_of(const Splats& sample) const {
     return functionals(features_of(sample), std::log(sample.total));
   }
 

@@ -5,19 +5,9 @@
 
 namespace wander {
 
-namespace {
-
-std::size_t bins_of(std::span<const int> film) {
-  std::size_t bins = 1;
-  for (const int extent : film) bins *= static_cast<std::size_t>(extent);
-  return bins;
-}
-
-}  // namespace
-
 SharedFilms::SharedFilms(std::span<const int> film, int max_vertices, int groups,
                          const FilmLayout& layout)
-    : groups_(groups), common_(bins_of(film)) {
+    : groups_(groups), common_(values_of(film)) {
   if (layout.keeps_lengths(film, max_vertices))
     lengths_.resize(static_cast<std::size_t>(max_vertices) - 1);
   films_.assign(static_cast<std::size_t>(std::min(groups, most)),

@@ -3,7 +3,7 @@
 //
 //   deposits on bin j in film f = common_j + own_fj
 //
-// A group adds to own_fj in float.  A tile of bins in which a film has taken `most_additions` is
+// A bin is one channel of a pixel.  // A group adds to own_fj in float.  A tile of bins in which a film has taken `most_additions` is
 // flushed between two turns of the groups: the mean of own_fj over f moves to common_j, in double.
 // What stays in float is how far the films differ.
 //
@@ -34,6 +34,11 @@ class SharedFilm {
         lengths_(static_cast<std::size_t>(lengths)),
         additions_((bins - 1) / tile + 1) {}
 
+  // To all channels of a pixel.
+  template <int Channels>
+  void add(int vertices, int pixel, double weight, const Tint<Channels>& colour) {
+    for (int k = 0; k < Channels; ++k) add(vertices, pixel * Channels + k, weight * colour[k]);
+  }
   void add(int vertices, int bin, double weight) {
     const auto j = static_cast<std::size_t>(bin);
     add(own_[j], weight);

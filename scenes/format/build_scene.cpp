@@ -13,10 +13,12 @@ namespace {
 constexpr double smooth_below = 1e-8;    // roughness
 constexpr double matched_below = 1e-12;  // |η - 1|
 
-// Luminance, of linear Rec. 709.
 double grey(const description::Quantity& q) {
-  const auto& [red, green, blue] = q.channels;
-  return q.coloured ? 0.2126 * red + 0.7152 * green + 0.0722 * blue : red;
+  return q.coloured ? luminance(q.channels) : q.channels[0];
+}
+template <World W>
+typename W::Tint tint(const description::Quantity& q) {
+  return q.coloured ? W::Tint::of(q.channels) : typename W::Tint{};
 }
 
 // As the world holds them: float knows fewer of them apart.
@@ -63,18 +65,22 @@ struct MaterialBuilder {
 
   Material<W> operator()(const description::Black&) const { return Black<W>{}; }
   Material<W> operator()(const description::Diffuse& m) const {
-    return grey(m.reflectance) > 0 ? Material<W>(Diffuse<W>{grey(m.reflectance)}) : Black<W>{};
+    return grey(m.reflectance) > 0
+               ? Material<W>(Diffuse<W>{grey(m.reflectance), tint<W>(m.reflectance)})
+               : Black<W>{};
   }
   Material<W> operator()(const description::Mirror& m) const {
-    return grey(m.reflectance) > 0 ? Material<W>(Mirror<W>{grey(m.reflectance)}) : Black<W>{};
+    return grey(m.reflectance) > 0
+               ? Material<W>(Mirror<W>{grey(m.reflectance), tint<W>(m.reflectance)})
+               : Black<W>{};
   }
   Material<W> operator()(const description::Dielectric& m) const {
     return Dielectric<W>{real(m.interior_index), real(m.exterior_index)};
   }
   Material<W> operator()(const description::RoughConductor& m) const {
     if (!(grey(m.reflectance) > 0)) return Black<W>{};
-    if (m.roughness < smooth_below) return Mirror<W>{grey(m.reflectance)};
-    return RoughConductor<W>{real(m.roughness), grey(m.reflectance)};
+    if (m.roughness < smooth_below) return Mirror<W>{grey(m.reflectance), tint<W>(m.reflectance)};
+    return RoughConductor<W>{real(m.roughness), grey(m.reflectance), tint<W>(m.reflectance)};
   }
   Material<W> operator()(const description::RoughDielectric& m) const {
     const Real interior = real(m.interior_index), exterior = real(m.exterior_index);
@@ -93,17 +99,17 @@ template <World W>
 std::unique_ptr<const Scene<W>> build_scene(const description::Scene& scene) {
   SceneParts<W> parts;
   parts.max_vertices = scene.max_vertices;
-  // Files say the width first, films have the fastest axis last.
-  parts.resolution = film_shape(scene);
-  std::ranges::reverse(parts.resolution);
+  parts.resolution = film_resolution(scene);
   for (const auto& m : scene.materials) parts.materials.push_back(build_material<W>(m.kind));
   const std::size_t black = parts.materials.size();
   parts.materials.push_back(Black<W>{});
   for (const auto& shape : scene.shapes) {
-    const double radiance = shape.light ? grey(shape.light->radiance) : 0;
+    const description::Quantity radiance =
+        shape.light ? shape.light->radiance : description::Quantity{};
     const auto add = [&](Shape<W> made) {
       parts.parts.push_back({std::move(made), shape.material.value_or(black),
-                             static_cast<typename W::Real>(radiance), shape.sensor.has_value()});
+                             static_cast<typename W::Real>(grey(radiance)),
+                             shape.sensor.has_value(), tint<W>(radiance)});
     };
     description::visit_kind<W::dimension>(
         [&](const auto& kind) {
@@ -121,8 +127,11 @@ std::unique_ptr<const Scene<W>> build_scene(const description::Scene& scene) {
 template std::unique_ptr<const Scene<Flatland>> build_scene(const description::Scene&);
 template std::unique_ptr<const Scene<FlatlandSingle>> build_scene(const description::Scene&);
 template std::unique_ptr<const Scene<Spaceland>> build_scene(const description::Scene&);
+template std::unique_ptr<const Scene<SpacelandColour>> build_scene(const description::Scene&);
 template Material<Flatland> build_material<Flatland>(const description::MaterialKind&);
 template Material<FlatlandSingle> build_material<FlatlandSingle>(const description::MaterialKind&);
 template Material<Spaceland> build_material<Spaceland>(const description::MaterialKind&);
+template Material<SpacelandColour> build_material<SpacelandColour>(
+    const description::MaterialKind&);
 
 }  // namespace wander

@@ -10,6 +10,7 @@
 #include "lab/replay.h"
 #include "lab/trace.h"
 #include "scenes/format/build_scene.h"
+#include "tests/support/coloured_box.h"
 #include "tests/support/test_scenes.h"
 #include "tests/tools/command_line.h"
 
@@ -64,13 +65,20 @@ TEST(Methods, InWords) {
   EXPECT_EQ(in_words(checked_methods(), "or"), "pt, lt or mlt");
 }
 
+// A scene that asks for this world.
+description::Scene scene_of(const WorldKind& world) {
+  if (world.dimension == 2) return diffuse_room();
+  return world.channels == 3 ? coloured_box() : channel_of(coloured_box(), 0);
+}
+
 TEST(Methods, OfEveryKindAreRenderedInEveryWorldUnderTheirNames) {
   Session session;
   session.budget = SampleBudget{2'000};
   session.threads = 2;
   for (const Method& method : methods())
     for (const Engine& engine : engines()) {
-      const Job job(diffuse_room(), method, {.precision = engine.world.precision});
+      if (!method.why_impossible(scene_of(engine.world)).empty()) continue;
+      const Job job(scene_of(engine.world), method, {.precision = engine.world.precision});
       ASSERT_EQ(job.world(), engine.world);
       const Rendering rendering = render(job, session);
       EXPECT_EQ(rendering.method, method.name);
@@ -99,21 +107,20 @@ TEST(Jobs, AreRefusedWhereTheyCannotBeComputed) {
   seen.shapes.front().light = description::Light{{{1e-40, 1e-40, 1e-40}}};
   EXPECT_EQ(why_unfit(seen, find_method("lt-naive"), {.precision = Precision::of_float}).size(),
             2u);
-  description::Scene space = diffuse_room();
-  space.dimension = 3;
-  EXPECT_THROW(Job(space, find_method("pt")), UsageError);
   EXPECT_EQ(
-      why_unfit(space, find_method("pt"), {}).front(),
-      "this version has no methods for scenes of 3 dimensions; it reads them, and inspect says "
-      "what they hold");
+      why_unfit(coloured_box(), find_method("pt"), {.precision = Precision::of_float}).front(),
+      "scenes of 3 dimensions cannot be computed in precision float");
 }
 
 TEST(FilmShape, IsThatOfTheSceneThatIsBuilt) {
   for (const description::Scene& scene : {diffuse_room(), thin_lens_room(), mirror_and_glass()}) {
     const auto built = build_flatland(scene);
-    const auto resolution = built->resolution();
-    EXPECT_EQ(film_shape(scene), std::vector<int>(resolution.begin(), resolution.end()));
+    EXPECT_EQ(film_shape(scene), built->film_shape());
   }
+  EXPECT_EQ(film_shape(coloured_box()), (std::vector<int>{4, 6, 3}));
+  EXPECT_EQ(build_scene<SpacelandColour>(coloured_box())->film_shape(),
+            (std::vector<int>{4, 6, 3}));
+  EXPECT_EQ(build_scene<Spaceland>(coloured_box())->film_shape(), (std::vector<int>{4, 6}));
 }
 
 // ---- whatever tells of methods

@@ -1,0 +1,12 @@
+#include "lab/world_methods.h"
+
+namespace wander {
+
+template std::unique_ptr<LiveRun> MltMethod::make(const Stage<Spaceland>&);
+template std::unique_ptr<LiveRun> PssmltMethod::make(const Stage<Spaceland>&);
+template std::unique_ptr<LiveRun> MmltMethod::make(const Stage<Spaceland>&);
+template Rendering carry_on_in<Spaceland>(const KeptRun&, const Job&, const Session&,
+                                          const Keeper&);
+template Rendering merge_in<Spaceland>(const Job&, std::span<const StoredRun>, const Session&);
+
+}  // namespace wander
