@@ -250,7 +250,8 @@ TEST_F(TrajectoryFile, ThatIsNoneOrBrokenIsRefusedWithItsName) {
   EXPECT_FALSE(find_trajectory(folder_ / "missing"));
   EXPECT_NE(message("").find("t.nc"), std::string::npos);
   for (const std::size_t size : {whole.size() / 2, whole.size() - 1, std::size_t{100}})
-    EXPECT_NE(message(whole.substr(0, size)).find("t.nc: not a trajectory of this program, or cut"),
+    EXPECT_NE(message(whole.substr(0, size))
+                  .find("t.nc: not a trajectory or film of this program, or cut"),
               std::string::npos)
         << size;
 }
