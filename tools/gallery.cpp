@@ -94,8 +94,9 @@ bool is_written_to_a_folder(const Global& global) {
 void say_what_is_missing(const GalleryScene& scene, const std::vector<GalleryMesh>& meshes) {
   std::vector<std::string_view> files;
   for (const GalleryMesh& mesh : meshes) files.emplace_back(mesh.file);
-  print_note(fmt::format("The scene needs {}: wander gallery {} -o FILE.json writes {} beside it.\n",
-                         fmt::join(files, ", "), scene.name, files.size() > 1 ? "them" : "it"));
+  print_note(
+      fmt::format("The scene needs {}: wander gallery {} -o FILE.json writes {} beside it.\n",
+                  fmt::join(files, ", "), scene.name, files.size() > 1 ? "them" : "it"));
 }
 
 ExitCode show_gallery(const std::string& name, const Global& global) {

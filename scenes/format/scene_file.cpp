@@ -105,8 +105,7 @@ SceneFileError::SceneFileError(std::string file_name, std::vector<Fault> found)
       file(std::move(file_name)),
       faults(std::move(found)) {}
 
-SceneDocument parse_scene(std::string text, std::string_view name,
-                          const MeshReader& read_mesh) {
+SceneDocument parse_scene(std::string text, std::string_view name, const MeshReader& read_mesh) {
   const std::string file(name);
   refuse_if_large(text.size(), file);
   JsonReading reading = read_json(text);
