@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/geometry/shape.h"
+#include "core/tint.h"
 
 namespace wander::description {
 
@@ -25,6 +26,9 @@ struct Quantity {
   std::array<double, 3> channels{};
   bool coloured = false;
 };
+inline double luminance(const Quantity& q) {
+  return q.coloured ? wander::luminance(q.channels) : q.channels[0];
+}
 
 struct Black {};
 struct Diffuse {

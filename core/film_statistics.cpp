@@ -1,10 +1,13 @@
 #include "core/film_statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <numeric>
+
+#include "core/tint.h"
 
 namespace wander {
 
@@ -41,6 +44,12 @@ double relative_rmse(const FilmEstimate& film, const FilmEstimate& reference) {
   return size > 0 ? std::sqrt(error / size) : unknown;
 }
 
+double luminance_of_means(const FilmEstimate& film) {
+  std::array<double, 3> sums{};
+  for (std::size_t i = 0; i < film.value.size(); ++i) sums[i % 3] += film.value[i];
+  return luminance(sums) * 3 / static_cast<double>(film.value.size());
+}
+
 bool is_reliable(const FilmEstimate& film, std::size_t bin) {
   return (film.reliable.empty() || film.reliable[bin]) && std::isfinite(film.standard_error[bin]);
 }
@@ -48,6 +57,7 @@ bool is_reliable(const FilmEstimate& film, std::size_t bin) {
 }  // namespace
 
 double mean_value(const FilmEstimate& film) {
+  if (channels_of(film.shape) == 3) return luminance_of_means(film);
   const double sum = std::accumulate(film.value.begin(), film.value.end(), 0.0);
   return film.value.empty() ? unknown : sum / static_cast<double>(film.value.size());
 }

@@ -10,6 +10,7 @@
 
 namespace wander {
 
+// Of luminance, if the film has colour: the normalization b.
 double mean_value(const FilmEstimate& film);
 // sqrt(sum se^2 / sum value^2): the error of the film in units of the film.
 double relative_error(const FilmEstimate& film);

@@ -68,7 +68,7 @@ MergePart read_part(const fs::path& directory) {
         "{} holds a run without samples, for it was stopped in its beginning, or found no light: "
         "carry it on with `wander render --continue -o {}`",
         directory.string(), directory.string()));
-  if (const auto record = find_run(directory)) {
+  if (const auto record = find_run_alone(directory)) {
     part.is_complete = record->rendering.complete && record->rendering.samples == samples;
     part.threads = record->rendering.threads;
   }
@@ -132,7 +132,7 @@ bool is_merged(const fs::path& directory) {
   std::error_code error;
   if (fs::exists(checkpoint_in(directory), error)) return false;
   try {
-    const auto record = find_run(directory);
+    const auto record = find_run_alone(directory);
     return record && !record->rendering.merged.empty();
   } catch (const RunFileError&) {
     return false;

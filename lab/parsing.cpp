@@ -215,6 +215,13 @@ double parse_checkpoint_interval(std::string_view text) {
       text));
 }
 
+double parse_exposure(std::string_view text) {
+  const auto stops = number_in<double>(text.starts_with('+') ? text.substr(1) : text);
+  if (stops && *stops >= -100 && *stops <= 100) return *stops;
+  throw UsageError(fmt::format(
+      "--exposure '{}': allowed are stops from -100 to 100, such as 1 for twice as bright", text));
+}
+
 Precision parse_precision(std::string_view text) {
   std::vector<std::string_view> words;
   for (const Precision precision : precisions) {

@@ -38,6 +38,8 @@ NormalizationMethod parse_normalization(std::string_view text);
 double parse_positive(std::string_view what, std::string_view text, double most);
 // Seconds between two checkpoints; 0: none are kept.
 double parse_checkpoint_interval(std::string_view text);
+// In stops.
+double parse_exposure(std::string_view text);
 // `float` or `double`.
 Precision parse_precision(std::string_view text);
 // A share of steps, above 0 and below 1.

@@ -30,6 +30,13 @@ std::string percent(double share) {
   return std::isfinite(share) ? number_text(100 * share) + " %" : "unknown";
 }
 
+std::string extent_in_words(std::span<const int> film_shape) {
+  if (film_shape.size() < 2)
+    return fmt::format("{} bins", film_shape.empty() ? 0 : film_shape.front());
+  return fmt::format("{} x {} pixels{}", film_shape[1], film_shape[0],
+                     film_shape.size() > 2 ? " in colour" : "");
+}
+
 std::string with_error(const Estimate& estimate) {
   if (!std::isfinite(estimate.standard_error))
     return number_text(estimate.value, 6) + " (error unknown)";

@@ -1,15 +1,18 @@
 // Numbers as people read them.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "records/rendering.h"
 
 namespace wander {
 
-std::string count_in_words(double count);          // "950", "1.21 M"
-std::string duration_in_words(double seconds);     // "0.35 s", "12 s", "3 min 5 s"
-std::string percent(double share);                 // "1.2 %", "unknown" when it is not finite
+std::string count_in_words(double count);       // "950", "1.21 M"
+std::string duration_in_words(double seconds);  // "0.35 s", "12 s", "3 min 5 s"
+std::string percent(double share);              // "1.2 %", "unknown" when it is not finite
+// Of the shape of a film: "100 bins", "640 x 480 pixels", width first, "… in colour".
+std::string extent_in_words(std::span<const int> film_shape);
 std::string with_error(const Estimate& estimate);  // "0.612 ± 0.004"
 
 }  // namespace wander

@@ -1,5 +1,6 @@
 #include "records/exr.h"
 
+#include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
 #include <ImfFrameBuffer.h>
@@ -13,24 +14,22 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
-#include <map>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/film_layout.h"
-#include "records/bin_maps.h"
+#include "records/film_facts.h"
+#include "records/film_layers.h"
 
 namespace wander {
 
 namespace {
-
-using Plane = std::vector<float>;
-using Planes = std::map<std::string, Plane>;  // by channel name
 
 // The library writes where it likes and returns to fill in offsets.
 class MemoryStream : public Imf::OStream {
@@ -51,7 +50,7 @@ class MemoryStream : public Imf::OStream {
   std::size_t position_ = 0;
 };
 
-// Beyond the range of a float lies infinity; the exact number is in run.json.
+// Beyond the range of a float lies infinity; the exact number is in run.json or film.nc.
 float to_float(double x) {
   constexpr double most = std::numeric_limits<float>::max();
   if (std::abs(x) > most)
@@ -59,78 +58,73 @@ float to_float(double x) {
   return static_cast<float>(x);
 }
 
-Plane plane_of(const std::vector<double>& values) {
-  Plane plane(values.size());
-  std::transform(values.begin(), values.end(), plane.begin(), to_float);
-  return plane;
+// ---- channels and layers
+
+std::string channel_name(std::string_view layer, std::string_view channel) {
+  return layer == "value" ? std::string(channel) : fmt::format("{}.{}", layer, channel);
 }
 
-Planes planes_of(const Rendering& rendering) {
-  Planes planes;
-  const FilmEstimate& film = rendering.film;
-  planes["Y"] = plane_of(film.value);
-  planes["standard_error.Y"] = plane_of(film.standard_error);
-  planes["reliable.Y"] = Plane(film.reliable.begin(), film.reliable.end());
-  for (const auto& [vertices, values] : film.by_length)
-    planes[fmt::format("vertices_{}.Y", vertices)] = plane_of(values);
-  for (const MutationRecord& mutation : rendering.mutations) {
-    planes[fmt::format("acceptance.{}.Y", mutation.name)] =
-        plane_of(on_bins(mutation.acceptance_per_bin, film));
-    planes[fmt::format("proposed.{}.Y", mutation.name)] =
-        plane_of(shared_by_bins(mutation.proposed_per_bin, film));
-  }
-  std::erase_if(planes, [](const auto& entry) { return entry.second.empty(); });
-  return planes;
+// LAYER.C, or C alone of the estimate; none if it is no channel of such a film.
+std::optional<std::string> layer_of(std::string_view name, std::size_t film_channels) {
+  const std::size_t dot = name.rfind('.');
+  const std::string_view channel = dot == std::string_view::npos ? name : name.substr(dot + 1);
+  const std::string_view layer =
+      dot == std::string_view::npos ? std::string_view("value") : name.substr(0, dot);
+  const auto allowed = channel_names(channels_of(layer, film_channels));
+  if (std::ranges::find(allowed, channel) == allowed.end()) return std::nullopt;
+  return std::string(layer);
 }
 
-struct Size {
-  int width, height;
-  std::size_t pixels() const {
-    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-  }
+// ---- rows: few at a time, so that a large film is not held twice
+
+// As many as the library compresses together.
+constexpr std::size_t rows_at_once = 16;
+
+struct Rows {
+  std::size_t first, count, width;
+  std::size_t pixels() const { return count * width; }
 };
 
-Size size_of(const FilmEstimate& film) {
-  return film.shape.size() == 1 ? Size{film.shape[0], 1} : Size{film.shape.at(1), film.shape.at(0)};
+void for_rows(const ImageShape& shape, const std::function<void(const Rows&)>& visit) {
+  for (std::size_t y = 0; y < shape.height; y += rows_at_once)
+    visit({y, std::min(rows_at_once, shape.height - y), shape.width});
 }
 
-void insert_text(Imf::Header& header, const char* name, const std::string& text) {
-  header.insert(name, Imf::StringAttribute(text));
+// The channels of a layer side by side in a buffer of these rows.
+void insert_layer(Imf::FrameBuffer& frame, std::string_view layer, std::size_t channels,
+                  std::vector<float>& buffer, const Rows& rows) {
+  const auto names = channel_names(channels);
+  const auto y = static_cast<int>(rows.first);
+  const Imath::Box2i window(
+      {0, y}, {static_cast<int>(rows.width) - 1, y + static_cast<int>(rows.count) - 1});
+  for (std::size_t c = 0; c < channels; ++c)
+    frame.insert(channel_name(layer, names[c]),
+                 Imf::Slice::Make(Imf::FLOAT, buffer.data() + c, window, sizeof(float) * channels));
 }
 
-// "1 2 3"
-std::string seeds_of(const std::vector<MergedRun>& runs) {
-  std::string text;
-  for (const MergedRun& run : runs) text += (text.empty() ? "" : " ") + std::to_string(run.seed);
-  return text;
+// ---- writing
+
+void insert(Imf::Header& header, const FilmFacts& facts) {
+  struct Insertion {
+    Imf::Header& header;
+    const char* name;
+    void operator()(const std::string& text) { header.insert(name, Imf::StringAttribute(text)); }
+    void operator()(int number) { header.insert(name, Imf::IntAttribute(number)); }
+    void operator()(double number) { header.insert(name, Imf::DoubleAttribute(number)); }
+  };
+  for (const auto& [name, fact] : facts) std::visit(Insertion{header, name.c_str()}, fact);
 }
 
-Imf::Header header_of(const RunRecord& run, const Planes& planes) {
-  const Rendering& rendering = run.rendering;
-  const Size size = size_of(rendering.film);
-  Imf::Header header(size.width, size.height);
+Imf::Header header_of(const RunRecord& run, const std::vector<FilmLayer>& layers) {
+  const ImageShape shape(run.rendering.film.shape);
+  Imf::Header header(static_cast<int>(shape.width), static_cast<int>(shape.height));
   // 16 rows at a time, for which the library makes room also where there is one.
-  const bool is_long_row = size.height == 1 && FilmLayout{}.is_large(rendering.film.shape);
+  const bool is_long_row = shape.height == 1 && FilmLayout{}.is_large(run.rendering.film.shape);
   header.compression() = is_long_row ? Imf::ZIPS_COMPRESSION : Imf::ZIP_COMPRESSION;
-  insert_text(header, "scene", run.provenance.scene_text);
-  insert_text(header, "scene_name", run.provenance.scene_name);
-  insert_text(header, "scene_sha256", run.provenance.scene_sha256);
-  insert_text(header, "command_line", run.provenance.command_line);
-  insert_text(header, "wanderlight_version", run.provenance.version);
-  for (const OriginField& field : origin_fields)
-    insert_text(header, field.name, run.provenance.origin.*field.member);
-  insert_text(header, "method", rendering.method);
-  insert_text(header, "seed", std::to_string(rendering.seed));
-  if (!rendering.merged.empty()) insert_text(header, "merged_seeds", seeds_of(rendering.merged));
-  insert_text(header, "samples", std::to_string(rendering.samples));
-  insert_text(header, "complete", rendering.complete ? "true" : "false");
-  header.insert("dimension", Imf::IntAttribute(run.provenance.dimension));
-  header.insert("degrees_of_freedom", Imf::DoubleAttribute(rendering.film.degrees_of_freedom));
-  if (const auto& b = rendering.normalization) {
-    header.insert("normalization", Imf::DoubleAttribute(b->value));
-    header.insert("normalization_standard_error", Imf::DoubleAttribute(b->standard_error));
-  }
-  for (const auto& [name, plane] : planes) header.channels().insert(name, Imf::Channel(Imf::FLOAT));
+  insert(header, facts_of(run));
+  for (const FilmLayer& layer : layers)
+    for (const std::string_view channel : channel_names(layer.channels))
+      header.channels().insert(channel_name(layer.name, channel), Imf::Channel(Imf::FLOAT));
   return header;
 }
 
@@ -139,49 +133,51 @@ void insert_window(Imf::Header& header, const PlaneWindow& window) {
   header.insert("window_high", Imf::V2dAttribute({window.high[0], window.high[1]}));
 }
 
-Imf::FrameBuffer frame_of(Planes& planes, Size size) {
+void write_rows(Imf::OutputFile& file, const std::vector<FilmLayer>& layers, const Rows& rows) {
   Imf::FrameBuffer frame;
-  for (auto& [name, plane] : planes)
-    frame.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(plane.data()), sizeof(float),
-                                  sizeof(float) * static_cast<std::size_t>(size.width)));
-  return frame;
+  std::vector<std::vector<float>> buffers(layers.size());
+  for (std::size_t k = 0; k < layers.size(); ++k) {
+    const FilmLayer& layer = layers[k];
+    buffers[k].resize(rows.pixels() * layer.channels);
+    const std::size_t from = rows.first * rows.width * layer.channels;
+    for (std::size_t i = 0; i < buffers[k].size(); ++i)
+      buffers[k][i] = to_float(layer.number(from + i));
+    insert_layer(frame, layer.name, layer.channels, buffers[k], rows);
+  }
+  file.setFrameBuffer(frame);
+  file.writePixels(static_cast<int>(rows.count));
+}
+
+std::string image_of(const ImageShape& shape, const std::vector<FilmLayer>& layers,
+                     const Imf::Header& header) {
+  MemoryStream stream;
+  {
+    // The file is finished by the destructor.  Threads: none, so that bytes do not depend on them.
+    Imf::OutputFile file(stream, header, 0);
+    for_rows(shape, [&](const Rows& rows) { write_rows(file, layers, rows); });
+  }
+  return stream.take();
 }
 
 // ---- and back
 
-std::string text_in(const Imf::Header& header, const char* name) {
-  const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(name);
-  if (attribute == nullptr) throw std::runtime_error(fmt::format("it has no attribute '{}'", name));
-  return attribute->value();
+FilmFacts facts_in(const Imf::Header& header) {
+  FilmFacts facts;
+  for (auto it = header.begin(); it != header.end(); ++it) {
+    const Imf::Attribute& attribute = it.attribute();
+    if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute))
+      facts[it.name()] = text->value();
+    else if (const auto* count = dynamic_cast<const Imf::IntAttribute*>(&attribute))
+      facts[it.name()] = count->value();
+    else if (const auto* number = dynamic_cast<const Imf::DoubleAttribute*>(&attribute))
+      facts[it.name()] = number->value();
+  }
+  return facts;
 }
 
-Origin origin_in(const Imf::Header& header) {
-  Origin origin;
-  for (const OriginField& field : origin_fields)
-    if (header.find(field.name) != header.end()) origin.*field.member = text_in(header, field.name);
-  return origin;
-}
-
-double number_in(const Imf::Header& header, const char* name) {
-  const auto* attribute = header.findTypedAttribute<Imf::DoubleAttribute>(name);
-  if (attribute == nullptr) throw std::runtime_error(fmt::format("it has no attribute '{}'", name));
-  return attribute->value();
-}
-
-std::uint64_t count_in(const Imf::Header& header, const char* name) {
-  const std::string text = text_in(header, name);
-  std::uint64_t count = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error != std::errc() || end != text.data() + text.size())
-    throw std::runtime_error(fmt::format("its attribute '{}' is not a count", name));
-  return count;
-}
-
-int dimension_in(const Imf::Header& header) {
-  const auto* attribute = header.findTypedAttribute<Imf::IntAttribute>("dimension");
-  if (attribute == nullptr) throw std::runtime_error("it has no attribute 'dimension'");
-  return attribute->value();
-}
+struct Size {
+  int width, height;
+};
 
 // A header may promise any size: memory is spent only if the file can hold so much.
 Size plausible_size(const Imf::Header& header, std::uintmax_t file_bytes) {
@@ -197,104 +193,51 @@ Size plausible_size(const Imf::Header& header, std::uintmax_t file_bytes) {
   return {window.max.x + 1, window.max.y + 1};
 }
 
-Planes read_planes(Imf::InputFile& file, Size size) {
-  Planes planes;
-  for (auto channel = file.header().channels().begin(); channel != file.header().channels().end();
-       ++channel)
-    planes[channel.name()].resize(size.pixels());
-  file.setFrameBuffer(frame_of(planes, size));
-  file.readPixels(0, size.height - 1);
-  return planes;
+std::vector<int> shape_in(const Imf::Header& header, Size size, int dimension) {
+  if (dimension == 2 && size.height == 1) return {size.width};
+  if (header.channels().findChannel("Y") != nullptr) return {size.height, size.width};
+  return {size.height, size.width, 3};
 }
 
-std::vector<double> values_of(const Planes& planes, const std::string& name) {
-  const auto found = planes.find(name);
-  if (found == planes.end()) throw std::runtime_error(fmt::format("it has no channel '{}'", name));
-  return {found->second.begin(), found->second.end()};
+std::set<std::string> layers_in(const Imf::Header& header, const ImageShape& shape) {
+  std::set<std::string> layers;
+  const Imf::ChannelList& channels = header.channels();
+  for (auto channel = channels.begin(); channel != channels.end(); ++channel)
+    if (const auto layer = layer_of(channel.name(), shape.channels)) layers.insert(*layer);
+  for (const std::string& layer : layers)
+    for (const std::string_view channel : channel_names(channels_of(layer, shape.channels)))
+      if (const std::string name = channel_name(layer, channel);
+          channels.findChannel(name) == nullptr)
+        throw std::runtime_error(fmt::format("it has no channel '{}'", name));
+  return layers;
 }
 
-// The X of "PREFIX" X ".Y", if the name is of that form.
-std::optional<std::string> between(std::string_view name, std::string_view prefix) {
-  if (!name.starts_with(prefix) || !name.ends_with(".Y")) return std::nullopt;
-  name.remove_prefix(prefix.size());
-  name.remove_suffix(2);
-  return std::string(name);
-}
-
-// Counts and mean acceptance follow from those per bin.
-MutationRecord mutation_of(const Planes& planes, const std::string& name) {
-  MutationRecord mutation;
-  mutation.name = name;
-  mutation.acceptance_per_bin = values_of(planes, fmt::format("acceptance.{}.Y", name));
-  mutation.proposed_per_bin = values_of(planes, fmt::format("proposed.{}.Y", name));
-  double proposed = 0, accepted = 0;
-  for (std::size_t i = 0; i < mutation.proposed_per_bin.size(); ++i) {
-    if (!(mutation.proposed_per_bin[i] > 0)) continue;  // the acceptance of nothing may be NaN
-    proposed += mutation.proposed_per_bin[i];
-    accepted += mutation.proposed_per_bin[i] * mutation.acceptance_per_bin[i];
+void read_rows(Imf::InputFile& file, const std::vector<FilmLayerSlot>& slots, const Rows& rows) {
+  Imf::FrameBuffer frame;
+  std::vector<std::vector<float>> buffers(slots.size());
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    buffers[k].resize(rows.pixels() * slots[k].channels);
+    insert_layer(frame, slots[k].name, slots[k].channels, buffers[k], rows);
   }
-  if (!(proposed > 0 && proposed < 0x1p63)) return mutation;
-  mutation.proposed = static_cast<std::uint64_t>(std::round(proposed));
-  mutation.mean_acceptance = accepted / proposed;
-  return mutation;
+  file.setFrameBuffer(frame);
+  file.readPixels(static_cast<int>(rows.first), static_cast<int>(rows.first + rows.count) - 1);
+  for (std::size_t k = 0; k < slots.size(); ++k) {
+    const std::size_t from = rows.first * rows.width * slots[k].channels;
+    for (std::size_t i = 0; i < buffers[k].size(); ++i) slots[k].put(from + i, buffers[k][i]);
+  }
 }
 
-Rendering rendering_of(const Imf::Header& header, const Planes& planes, Size size) {
-  Rendering rendering;
-  rendering.complete = text_in(header, "complete") == "true";
-  rendering.method = text_in(header, "method");
-  rendering.samples = count_in(header, "samples");
-  rendering.seed = count_in(header, "seed");
-  rendering.processor_seconds = std::numeric_limits<double>::quiet_NaN();
-  rendering.seconds = rendering.seed_seconds = std::numeric_limits<double>::quiet_NaN();
-  FilmEstimate& film = rendering.film;
-  film.shape = dimension_in(header) == 2 && size.height == 1 ? std::vector{size.width}
-                                                             : std::vector{size.height, size.width};
-  film.value = values_of(planes, "Y");
-  film.standard_error = values_of(planes, "standard_error.Y");
-  for (const double flag : values_of(planes, "reliable.Y")) film.reliable.push_back(flag != 0);
-  film.degrees_of_freedom = number_in(header, "degrees_of_freedom");
-  for (const auto& [name, plane] : planes) {
-    if (const auto vertices = between(name, "vertices_"))
-      film.by_length[std::stoi(*vertices)] = values_of(planes, name);
-    if (const auto mutation = between(name, "acceptance."))
-      rendering.mutations.push_back(mutation_of(planes, *mutation));
-  }
-  if (header.find("normalization") != header.end()) {
-    rendering.normalization.emplace();
-    rendering.normalization->value = number_in(header, "normalization");
-    rendering.normalization->standard_error = number_in(header, "normalization_standard_error");
-  }
-  return rendering;
-}
-
-RunRecord run_of(const std::filesystem::path& path) {
+RunRecord run_in(const std::filesystem::path& path) {
   Imf::InputFile file(path.c_str(), 0);
   const Imf::Header& header = file.header();
   const Size size = plausible_size(header, std::filesystem::file_size(path));
-  const Provenance provenance{text_in(header, "scene_name"),
-                              text_in(header, "scene"),
-                              text_in(header, "scene_sha256"),
-                              dimension_in(header),
-                              text_in(header, "command_line"),
-                              text_in(header, "wanderlight_version"),
-                              origin_in(header)};
-  return {rendering_of(header, read_planes(file, size), size), provenance};
-}
-
-std::string image_of(const RunRecord& run, Planes planes, const Imf::Header& header) {
-  const Size size = size_of(run.rendering.film);
-  for (const auto& [name, plane] : planes)
-    if (plane.size() != size.pixels())
-      throw std::logic_error(fmt::format("channel {} does not fit the film", name));
-  MemoryStream stream;
-  {
-    // The file is finished by the destructor.  Threads: none, so that bytes do not depend on them.
-    Imf::OutputFile file(stream, header, 0);
-    file.setFrameBuffer(frame_of(planes, size));
-    file.writePixels(size.height);
-  }
-  return stream.take();
+  RunRecord run = run_of(facts_in(header));
+  run.rendering.film.shape = shape_in(header, size, run.provenance.dimension);
+  const ImageShape shape(run.rendering.film.shape);
+  const auto slots = slots_of(run.rendering, layers_in(header, shape));
+  for_rows(shape, [&](const Rows& rows) { read_rows(file, slots, rows); });
+  sum_up_mutations(run.rendering);
+  return run;
 }
 
 // What the library and the readers above say becomes a fault of the file.
@@ -311,20 +254,19 @@ auto read_from(const std::filesystem::path& path, Reading&& reading) {
 }  // namespace
 
 std::string to_exr(const RunRecord& run) {
-  Planes planes = planes_of(run.rendering);
-  const Imf::Header header = header_of(run, planes);
-  return image_of(run, std::move(planes), header);
+  const std::vector<FilmLayer> layers = layers_of(run.rendering);
+  return image_of(ImageShape(run.rendering.film.shape), layers, header_of(run, layers));
 }
 
 std::string to_exr(const RunRecord& run, const PlaneWindow& window) {
-  Planes planes = planes_of(run.rendering);
-  Imf::Header header = header_of(run, planes);
+  const std::vector<FilmLayer> layers = layers_of(run.rendering);
+  Imf::Header header = header_of(run, layers);
   insert_window(header, window);
-  return image_of(run, std::move(planes), header);
+  return image_of(ImageShape(run.rendering.film.shape), layers, header);
 }
 
 RunRecord read_exr(const std::filesystem::path& path) {
-  return read_from(path, [&] { return run_of(path); });
+  return read_from(path, [&] { return run_in(path); });
 }
 
 std::optional<PlaneWindow> read_window(const std::filesystem::path& path) {

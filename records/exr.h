@@ -1,16 +1,14 @@
-// `film.exr`: the film and everything known per bin as named channels of 32-bit floats, and what
+// `film.exr`: the film and everything known per pixel as named channels of 32-bit floats, and what
 // made it as header attributes.  A film in two dimensions is an image of height 1,
 // and a picture over the plane is an image with its rows from the top.
 //
-//   Y, standard_error.Y, reliable.Y (1 or 0)   the estimate
-//   vertices_N.Y                               its part from paths of N vertices
-//   acceptance.MUTATION.Y, proposed.MUTATION.Y Markov chain methods; of a large film, if at all,
-//                                              from the cells of its raster (core/film_layout.h)
+//   Y or R, G, B              the estimate; of a scene with colour, red, green and blue
+//   LAYER.Y or LAYER.R …      the other layers of film_layers.h: standard_error.Y, reliable.Y,
+//                             vertices_N.Y, acceptance.MUTATION.Y, proposed.MUTATION.Y; what
+//                             mutations did has the channel Y alone
 //
-// Attributes: scene, scene_name, scene_sha256, command_line, wanderlight_version, seed, method,
-// samples, complete (all text), dimension, degrees_of_freedom, and for Markov chain methods
-// normalization and normalization_standard_error; of a picture over the plane, window_low and
-// window_high, its lower left and upper right corner in metres (v2d).
+// Attributes: those of film_facts.h; of a picture over the plane, window_low and window_high, its
+// lower left and upper right corner in metres (v2d).
 // Equal content gives equal bytes; facts of the execution other than the command line stay out.
 #pragma once
 

@@ -4,10 +4,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace wander::netcdf {
@@ -46,11 +48,36 @@ class Writer {
   void variable(const std::string& name, const Dimensions& dimensions,
                 std::span<const std::int32_t> values, std::span<const std::string> words,
                 std::string_view meaning) const;
+  // Texts, one for each place along a dimension.
+  void names(const std::string& name, const std::string& dimension,
+             std::span<const std::string_view> values, std::string_view meaning) const;
+
+  // A variable that is written in parts along its first dimension, in chunks of `chunk` places.
+  class Parts {
+   public:
+    Parts(int file, int id, std::vector<std::size_t> lengths)
+        : file_(file), id_(id), lengths_(std::move(lengths)) {}
+    // `count` places from `first` on.
+    void put(std::size_t first, std::size_t count, std::span<const double> values) const;
+
+   private:
+    int file_, id_;
+    std::vector<std::size_t> lengths_;  // of the dimensions
+  };
+  Parts numbers_in_parts(const std::string& name, const Dimensions& dimensions,
+                         const std::vector<std::size_t>& chunk, std::string_view meaning) const;
+  // Zero and one; see flags().
+  Parts flags_in_parts(const std::string& name, const Dimensions& dimensions,
+                       const std::vector<std::size_t>& chunk, std::string_view meaning) const;
 
   std::string take();  // the bytes of the whole file
+  // The same where they are handed on: they are not held twice.
+  void take(const std::function<void(std::string_view)>& file);
 
  private:
   explicit Writer(int id) : id_(id) {}
+  Parts parts(const std::string& name, const Dimensions& dimensions,
+              const std::vector<std::size_t>& chunk, int type, std::string_view meaning) const;
   int define(const std::string& name, const Dimensions& dimensions, int type,
              std::string_view meaning) const;
 
@@ -73,10 +100,16 @@ class Reader {
     Group group(const std::string& name) const;
     bool has_group(const std::string& name) const;
     bool has_variable(const std::string& name) const;
+    std::vector<std::string> variables() const;   // their names
+    std::vector<std::string> attributes() const;  // likewise
+    // How long the dimensions of a variable are.
+    std::vector<std::size_t> lengths(const std::string& variable) const;
     std::size_t dimension(const std::string& name) const;
 
     std::string text(const std::string& name) const;
-    bool has(const std::string& name) const;  // such an attribute
+    bool is_text(const std::string& name) const;
+    bool is_whole(const std::string& name) const;  // such a number
+    bool has(const std::string& name) const;       // such an attribute
     double number(const std::string& name) const;
     std::uint64_t count(const std::string& name) const;
 
@@ -85,6 +118,9 @@ class Reader {
     void read(const std::string& name, std::size_t size, std::vector<std::int32_t>& values) const;
     void read(const std::string& name, std::size_t size, std::vector<std::uint8_t>& values) const;
     std::vector<std::string> words(const std::string& variable) const;  // flag_meanings
+    // `count` places from `first` on, along the first dimension.
+    void read_part(const std::string& name, std::size_t first, std::size_t count,
+                   std::vector<double>& values) const;
 
    private:
     int variable(const std::string& name, std::size_t size) const;

@@ -27,6 +27,12 @@ std::string text_of(int group, int variable, const char* name) {
   return text;
 }
 
+nc_type type_of(int group, const std::string& attribute) {
+  nc_type type{};
+  check(nc_inq_atttype(group, NC_GLOBAL, attribute.c_str(), &type), attribute);
+  return type;
+}
+
 void require_one_number(int group, const std::string& name) {
   std::size_t length = 0;
   nc_type type{};
@@ -39,7 +45,7 @@ void require_one_number(int group, const std::string& name) {
 Reader::Reader(std::string_view bytes) {
   // The library only reads from memory that it is given.
   void* memory = const_cast<char*>(bytes.data());
-  check(nc_open_mem("trajectory", NC_NOWRITE, bytes.size(), memory, &id_), "the file");
+  check(nc_open_mem("wanderlight", NC_NOWRITE, bytes.size(), memory, &id_), "the file");
 }
 
 Reader::~Reader() { nc_close(id_); }
@@ -60,6 +66,42 @@ bool Reader::Group::has_variable(const std::string& name) const {
   return nc_inq_varid(id_, name.c_str(), &id) == NC_NOERR;
 }
 
+std::vector<std::string> Reader::Group::variables() const {
+  int count = 0;
+  check(nc_inq_nvars(id_, &count), "the variables");
+  std::vector<std::string> names;
+  for (int id = 0; id < count; ++id) {
+    char name[NC_MAX_NAME + 1] = {};
+    check(nc_inq_varname(id_, id, name), "the variables");
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+std::vector<std::string> Reader::Group::attributes() const {
+  int count = 0;
+  check(nc_inq_natts(id_, &count), "the attributes");
+  std::vector<std::string> names;
+  for (int k = 0; k < count; ++k) {
+    char name[NC_MAX_NAME + 1] = {};
+    check(nc_inq_attname(id_, NC_GLOBAL, k, name), "the attributes");
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+std::vector<std::size_t> Reader::Group::lengths(const std::string& variable) const {
+  int id = -1, count = 0;
+  check(nc_inq_varid(id_, variable.c_str(), &id), variable);
+  check(nc_inq_varndims(id_, id, &count), variable);
+  std::vector<int> dimensions(static_cast<std::size_t>(count));
+  check(nc_inq_vardimid(id_, id, dimensions.data()), variable);
+  std::vector<std::size_t> lengths;
+  for (const int dimension : dimensions)
+    check(nc_inq_dimlen(id_, dimension, &lengths.emplace_back()), variable);
+  return lengths;
+}
+
 std::size_t Reader::Group::dimension(const std::string& name) const {
   int id = -1;
   std::size_t length = 0;
@@ -70,6 +112,12 @@ std::size_t Reader::Group::dimension(const std::string& name) const {
 
 std::string Reader::Group::text(const std::string& name) const {
   return text_of(id_, NC_GLOBAL, name.c_str());
+}
+
+bool Reader::Group::is_text(const std::string& name) const { return type_of(id_, name) == NC_CHAR; }
+bool Reader::Group::is_whole(const std::string& name) const {
+  const nc_type type = type_of(id_, name);
+  return type != NC_CHAR && type != NC_FLOAT && type != NC_DOUBLE;
 }
 
 bool Reader::Group::has(const std::string& name) const {
@@ -92,21 +140,16 @@ std::uint64_t Reader::Group::count(const std::string& name) const {
 }
 
 int Reader::Group::variable(const std::string& name, std::size_t size) const {
-  int id = -1, count = 0;
-  check(nc_inq_varid(id_, name.c_str(), &id), name);
-  check(nc_inq_varndims(id_, id, &count), name);
-  std::vector<int> dimensions(static_cast<std::size_t>(count));
-  check(nc_inq_vardimid(id_, id, dimensions.data()), name);
   std::size_t held = 1;
-  for (const int dimension : dimensions) {
-    std::size_t length = 0;
-    check(nc_inq_dimlen(id_, dimension, &length), name);
+  for (const std::size_t length : lengths(name)) {
     if (length > most_values || held * length > most_values)
       throw Error(fmt::format("{}: too many values", name));
     held *= length;
   }
   if (held != size)
     throw Error(fmt::format("{}: it holds {} values, expected are {}", name, held, size));
+  int id = -1;
+  check(nc_inq_varid(id_, name.c_str(), &id), name);
   return id;
 }
 
@@ -127,6 +170,20 @@ void Reader::Group::read(const std::string& name, std::size_t size,
   const int id = variable(name, size);
   values.resize(size);
   check(nc_get_var_uchar(id_, id, values.data()), name);
+}
+
+void Reader::Group::read_part(const std::string& name, std::size_t first, std::size_t count,
+                              std::vector<double>& values) const {
+  int id = -1;
+  check(nc_inq_varid(id_, name.c_str(), &id), name);
+  std::vector<std::size_t> counts = lengths(name), start(counts.size());
+  if (counts.empty()) throw Error(fmt::format("{}: it has no parts", name));
+  start[0] = first;
+  counts[0] = count;
+  std::size_t size = 1;
+  for (const std::size_t length : counts) size *= length;
+  values.resize(size);
+  check(nc_get_vara_double(id_, id, start.data(), counts.data(), values.data()), name);
 }
 
 std::vector<std::string> Reader::Group::words(const std::string& variable) const {

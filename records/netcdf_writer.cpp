@@ -4,6 +4,7 @@
 #include <netcdf_mem.h>
 
 #include <cstdlib>
+#include <memory>
 #include <numeric>
 
 #include "records/netcdf.h"
@@ -22,7 +23,7 @@ constexpr std::size_t first_size = 1 << 16;
 
 Writer Writer::create() {
   int id = -1;
-  check(nc_create_mem("trajectory", NC_NETCDF4, first_size, &id), "a file in memory");
+  check(nc_create_mem("wanderlight", NC_NETCDF4, first_size, &id), "a file in memory");
   return Writer(id);
 }
 
@@ -98,11 +99,65 @@ void Writer::variable(const std::string& name, const Dimensions& dimensions,
   check(nc_put_var_int(id_, id, values.data()), name);
 }
 
-std::string Writer::take() {
+void Writer::names(const std::string& name, const std::string& dimension,
+                   std::span<const std::string_view> values, std::string_view meaning) const {
+  int id = -1, of = -1;
+  check(nc_inq_dimid(id_, dimension.c_str(), &of), dimension);
+  check(nc_def_var(id_, name.c_str(), NC_STRING, 1, &of, &id), name);
+  check(nc_put_att_text(id_, id, "long_name", meaning.size(), meaning.data()), name);
+  const std::vector<std::string> texts(values.begin(), values.end());
+  std::vector<const char*> pointers;
+  for (const std::string& text : texts) pointers.push_back(text.c_str());
+  check(nc_put_var_string(id_, id, pointers.data()), name);
+}
+
+Writer::Parts Writer::parts(const std::string& name, const Dimensions& dimensions,
+                            const std::vector<std::size_t>& chunk, int type,
+                            std::string_view meaning) const {
+  const int id = define(name, dimensions, type, meaning);
+  check(nc_def_var_chunking(id_, id, NC_CHUNKED, chunk.data()), name);
+  check(nc_def_var_fill(id_, id, NC_NOFILL, nullptr), name);  // every place is written
+  std::vector<std::size_t> lengths;
+  for (const std::string& dimension : dimensions) {
+    int of = -1;
+    check(nc_inq_dimid(id_, dimension.c_str(), &of), dimension);
+    check(nc_inq_dimlen(id_, of, &lengths.emplace_back()), dimension);
+  }
+  return {id_, id, std::move(lengths)};
+}
+Writer::Parts Writer::numbers_in_parts(const std::string& name, const Dimensions& dimensions,
+                                       const std::vector<std::size_t>& chunk,
+                                       std::string_view meaning) const {
+  return parts(name, dimensions, chunk, NC_DOUBLE, meaning);
+}
+Writer::Parts Writer::flags_in_parts(const std::string& name, const Dimensions& dimensions,
+                                     const std::vector<std::size_t>& chunk,
+                                     std::string_view meaning) const {
+  Parts flags = parts(name, dimensions, chunk, NC_BYTE, meaning);
+  int id = -1;
+  check(nc_inq_varid(id_, name.c_str(), &id), name);
+  check(nc_put_att_text(id_, id, "dtype", 4, "bool"), name);
+  return flags;
+}
+
+void Writer::Parts::put(std::size_t first, std::size_t count,
+                        std::span<const double> values) const {
+  std::vector<std::size_t> start(lengths_.size()), counts = lengths_;
+  start[0] = first;
+  counts[0] = count;
+  check(nc_put_vara_double(file_, id_, start.data(), counts.data(), values.data()), "a variable");
+}
+
+void Writer::take(const std::function<void(std::string_view)>& file) {
   NC_memio memory{};
   check(nc_close_memio(id_, &memory), "the end of a file in memory");
-  std::string bytes(static_cast<const char*>(memory.memory), memory.size);
-  std::free(memory.memory);
+  const std::unique_ptr<void, void (*)(void*)> owned(memory.memory, std::free);
+  file({static_cast<const char*>(memory.memory), memory.size});
+}
+
+std::string Writer::take() {
+  std::string bytes;
+  take([&](std::string_view whole) { bytes = whole; });
   return bytes;
 }
 

@@ -1,4 +1,4 @@
-// PNG images in memory, of colours from a table.
+// PNG images in memory, in sRGB.
 #pragma once
 
 #include <array>
@@ -10,9 +10,12 @@ namespace wander {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-// Rows from the top; every index is below colours.size(), which is at most 256.
+// Of colours from a table.  Rows from the top; every index is below colours.size(), which is at most 256.
 std::string to_png(std::span<const std::uint8_t> indices, int width, int height,
                    std::span<const Rgb> colours);
+
+// Of pixels with one channel, grey, or with three.  Rows from the top.
+std::string to_png(std::span<const std::uint8_t> pixels, int width, int height, int channels);
 
 // An image as the address of itself, to be embedded in a document: data:image/png;base64,…
 std::string png_address(const std::string& png);

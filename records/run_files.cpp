@@ -1,28 +1,67 @@
 #include "records/run_files.h"
 
+#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "records/atomic_file.h"
 #include "records/csv.h"
 #include "records/exr.h"
+#include "records/film_netcdf.h"
 #include "records/run_json.h"
+#include "records/tone.h"
 
 namespace wander {
 
+namespace {
+
+constexpr std::array of_rows{"film.csv"};
+constexpr std::array of_images{"film.nc", "film.png"};
+
+bool is_image(const FilmEstimate& film) { return film.shape.size() > 1; }
+
+void stage_image(const RunRecord& run, double exposure, const std::filesystem::path& directory,
+                 std::vector<StagedFile>& files) {
+  files.emplace_back(directory / "film.nc",
+                     [&](const ByteSink& file) { write_film_netcdf(run, file); });
+  files.emplace_back(directory / "film.png", film_png(run.rendering.film, exposure));
+}
+
+void stage_row(const RunRecord& run, const description::Scene& scene,
+               const std::filesystem::path& directory, std::vector<StagedFile>& files) {
+  files.emplace_back(directory / "film.csv", [&](const ByteSink& file) {
+    write_csv(run.rendering.film, bin_centers(scene), file);
+  });
+}
+
+void remove_others(const std::filesystem::path& directory, std::span<const char* const> names) {
+  std::error_code absent;
+  for (const char* name : names) std::filesystem::remove(directory / name, absent);
+}
+
+}  // namespace
+
 void write_run(const RunRecord& run, const description::Scene& scene,
-               const std::filesystem::path& directory) {
+               const std::filesystem::path& directory, double exposure) {
+  const bool image = is_image(run.rendering.film);
   std::vector<StagedFile> files;
   files.emplace_back(directory / "film.exr", to_exr(run));
-  if (run.rendering.film.shape.size() == 1)
-    files.emplace_back(directory / "film.csv", [&](const ByteSink& file) {
-      write_csv(run.rendering.film, bin_centers(scene), file);
-    });
-  files.emplace_back(directory / "run.json",
-                     [&](const ByteSink& file) { write_json(run, 1, file); });
+  if (image)
+    stage_image(run, exposure, directory, files);
+  else
+    stage_row(run, scene, directory, files);
+  StagedFile record(directory / "run.json",
+                    [&](const ByteSink& file) { write_json(run, 1, file); });
   for (StagedFile& file : files) file.commit();
+  if (image)
+    remove_others(directory, of_rows);
+  else
+    remove_others(directory, of_images);
+  record.commit();
 }
 
 bool holds_document(const std::filesystem::path& path, std::string_view schema) {

@@ -1,4 +1,7 @@
-// The files of a run in its directory: film.exr, film.csv (films with one row) and run.json.
+// The files of a run in its directory.
+//
+//   film.exr, film.csv, run.json               a row of bins, of a scene in the plane
+//   film.exr, film.nc, film.png, run.json      an image
 #pragma once
 
 #include <filesystem>
@@ -10,9 +13,10 @@
 namespace wander {
 
 // All files are complete on the disk before the first takes its name; run.json comes last, so that
-// a directory with a run.json holds a whole run.  Throws OutputError.
+// a directory with a run.json holds a whole run.  Files of a former run of the other kind go.
+// `exposure` is that of film.png (tone.h).  Throws OutputError.
 void write_run(const RunRecord& run, const description::Scene& scene,
-               const std::filesystem::path& directory);
+               const std::filesystem::path& directory, double exposure = 0);
 
 // True if the file begins as a JSON document of this schema.
 bool holds_document(const std::filesystem::path& file, std::string_view schema);

@@ -10,6 +10,7 @@
 
 #include "records/exr.h"
 #include "records/film_columns.h"
+#include "records/film_netcdf.h"
 #include "records/json_text.h"
 
 namespace wander {
@@ -32,7 +33,7 @@ ordered_json json_of(const Estimate& estimate) {
   return {{"value", json_of(estimate.value)}, {"standard_error", json_of(estimate.standard_error)}};
 }
 
-// An image is in the EXR.
+// An image is in film.nc.
 bool holds_bins(int dimension) { return dimension == 2; }
 
 ordered_json json_of(const FilmEstimate& film, int dimension) {
@@ -137,6 +138,22 @@ ordered_json json_of(const std::vector<MergedRun>& runs) {
   return json;
 }
 
+// A record that was written while the program was killed may lie beside a newer film.
+void add_image(Rendering& run, Rendering&& image, const std::filesystem::path& path) {
+  if (image.film.shape != run.film.shape || image.method != run.method || image.seed != run.seed ||
+      image.samples != run.samples)
+    throw RunFileError(fmt::format(
+        "{}: it is not of the run of the run.json beside it; compute the run anew, or carry it on",
+        path.string()));
+  run.film = std::move(image.film);
+  for (MutationRecord& mutation : run.mutations)
+    for (MutationRecord& maps : image.mutations)
+      if (maps.name == mutation.name) {
+        mutation.acceptance_per_bin = std::move(maps.acceptance_per_bin);
+        mutation.proposed_per_bin = std::move(maps.proposed_per_bin);
+      }
+}
+
 bool is_exr(const std::filesystem::path& path) {
   std::string beginning(4, '\0');
   std::ifstream file(path, std::ios::binary);
@@ -219,11 +236,12 @@ void write_json(const RunRecord& run, int indent, const ByteSink& file) {
   file("\n");
 }
 
-std::optional<RunRecord> find_run(const std::filesystem::path& path) {
+std::optional<RunRecord> find_run_alone(const std::filesystem::path& path) {
   std::error_code unreachable;
-  if (std::filesystem::is_directory(path, unreachable)) return find_run(path / "run.json");
+  if (std::filesystem::is_directory(path, unreachable)) return find_run_alone(path / "run.json");
   if (!std::filesystem::is_regular_file(path, unreachable)) return std::nullopt;
   if (is_exr(path)) return read_exr(path);
+  if (is_film_netcdf(path)) return read_film_netcdf(path);
   FilmColumns columns;
   const ordered_json document = columns.read(path);
   if (!document.is_object() || document.value("schema", "") != run_schema) return std::nullopt;
@@ -236,10 +254,21 @@ std::optional<RunRecord> find_run(const std::filesystem::path& path) {
   return run;
 }
 
+std::optional<RunRecord> find_run(const std::filesystem::path& path) {
+  std::error_code unreachable;
+  if (std::filesystem::is_directory(path, unreachable)) return find_run(path / "run.json");
+  std::optional<RunRecord> run = find_run_alone(path);
+  if (run && run->rendering.film.value.empty() && !holds_bins(run->provenance.dimension))
+    if (const auto image = path.parent_path() / "film.nc";
+        std::filesystem::is_regular_file(image, unreachable))
+      add_image(run->rendering, read_film_netcdf(image).rendering, image);
+  return run;
+}
+
 RunRecord read_run(const std::filesystem::path& path) {
   if (auto run = find_run(path)) return *std::move(run);
-  throw RunFileError(
-      fmt::format("{}: neither a run.json, a directory with one, nor a film.exr", path.string()));
+  throw RunFileError(fmt::format(
+      "{}: neither a run.json, a directory with one, a film.exr nor a film.nc", path.string()));
 }
 
 }  // namespace wander

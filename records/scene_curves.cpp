@@ -53,7 +53,7 @@ SceneCurves scene_curves(const description::Scene& scene) {
     const std::size_t count = curves.kind.size();
     curves.shape.resize(count, static_cast<std::int32_t>(i));
     curves.material.resize(count, static_cast<std::int32_t>(material));
-    curves.radiance.resize(count, shape.light ? shape.light->radiance.channels[0] : 0);
+    curves.radiance.resize(count, shape.light ? luminance(shape.light->radiance) : 0);
     curves.is_sensor.resize(count, shape.sensor ? 1 : 0);
   }
   return curves;

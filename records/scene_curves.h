@@ -10,11 +10,13 @@
 
 namespace wander {
 
+// What the numbers in `material` mean, of curves and of faces.
+inline const std::vector<std::string> material_types{
+    "black", "diffuse", "mirror", "dielectric", "rough_conductor", "rough_dielectric"};
+
 struct SceneCurves {
-  // What the numbers in `kind` and `material` mean.
+  // What the numbers in `kind` mean.
   std::vector<std::string> kinds{"segment", "arc"};
-  std::vector<std::string> materials{"black",      "diffuse",         "mirror",
-                                     "dielectric", "rough_conductor", "rough_dielectric"};
 
   std::vector<std::int32_t> shape;  // index among the shapes of the scene file
   std::vector<std::int32_t> kind, material;

@@ -6,11 +6,7 @@ namespace wander {
 
 namespace {
 
-constexpr std::string_view mark = "wanderlight-sha256 ";
-constexpr std::size_t digits = 64;
-constexpr std::size_t seal_size = mark.size() + digits + 1;
-
-std::string seal_with(const std::string& digest) { return std::string(mark) + digest + "\n"; }
+std::string seal_with(const std::string& digest) { return std::string(seal_mark) + digest + "\n"; }
 std::string seal_of(std::string_view bytes) { return seal_with(sha256(bytes)); }
 
 }  // namespace

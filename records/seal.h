@@ -4,6 +4,7 @@
 //   BYTES "wanderlight-sha256 " DIGEST OF THE BYTES "\n"
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,9 @@
 #include "records/atomic_file.h"
 
 namespace wander {
+
+inline constexpr std::string_view seal_mark = "wanderlight-sha256 ";
+inline constexpr std::size_t seal_size = seal_mark.size() + 64 + 1;
 
 std::string sealed(std::string bytes);
 // The same piece by piece.

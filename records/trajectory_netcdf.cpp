@@ -4,6 +4,7 @@
 
 #include "records/netcdf.h"
 #include "records/scene_curves.h"
+#include "records/scene_faces.h"
 #include "records/seal.h"
 #include "records/trajectory_layout.h"
 
@@ -129,24 +130,27 @@ void write_sample_stats(const Writer& file, const TrajectoryRecord& record) {
                  "log of the transition density from the proposed path back");
 }
 
-void write_camera(const Writer& group, const description::Camera& camera) {
-  const auto point = [](const description::Coordinates& c) { return std::span(c).first(2); };
-  group.variable("camera_position", {"xy"}, point(camera.position), "where the camera stands");
-  group.variable("camera_target", {"xy"}, point(camera.target), "what it looks at");
+void write_camera(const Writer& group, const description::Camera& camera, int axes) {
+  const auto point = [&](const description::Coordinates& c) {
+    return std::span(c).first(static_cast<std::size_t>(axes));
+  };
+  const Writer::Dimensions of_point{axes == 2 ? "xy" : "xyz"};
+  group.variable("camera_position", of_point, point(camera.position), "where the camera stands");
+  group.variable("camera_target", of_point, point(camera.target), "what it looks at");
+  if (axes == 3)
+    group.variable("camera_up", of_point, point(camera.up), "what is upwards in its picture");
   group.variable("camera_fov_deg", {}, std::span(&camera.fov_degrees, 1), "whole angle of view");
   group.variable("camera_aperture_radius", {}, std::span(&camera.aperture_radius, 1),
                  "radius of the lens; 0: a pinhole");
 }
 
-void write_constant_data(const Writer& file, const description::Scene& scene) {
-  const SceneCurves curves = scene_curves(scene);
-  const Writer group = file.group("constant_data");
+void write_curves(const Writer& group, const SceneCurves& curves) {
   group.dimension("curve", curves.size());
   group.dimension("xy", 2);
   const Writer::Dimensions row{"curve"}, point{"curve", "xy"};
   group.variable("shape", row, curves.shape, "index among the shapes of the scene file");
   group.variable("kind", row, curves.kind, curves.kinds, "what curve it is");
-  group.variable("material", row, curves.material, curves.materials, "type of the material");
+  group.variable("material", row, curves.material, material_types, "type of the material");
   group.variable("from", point, curves.from, "first end of a segment; the normal is on its left");
   group.variable("to", point, curves.to, "second end of a segment");
   group.variable("center", point, curves.center, "centre of an arc");
@@ -156,7 +160,33 @@ void write_constant_data(const Writer& file, const description::Scene& scene) {
   group.flags("flip", row, curves.flipped, "the normal of the arc points to its centre");
   group.variable("radiance", row, curves.radiance, "of a light, on the side of the normal; else 0");
   group.flags("is_sensor", row, curves.is_sensor, "it listens on the side of the normal");
-  if (scene.camera) write_camera(group, *scene.camera);
+}
+
+void write_faces(const Writer& group, const SceneFaces& faces) {
+  group.dimension("face", faces.size());
+  group.dimension("corner", 3);
+  group.dimension("xyz", 3);
+  const Writer::Dimensions row{"face"};
+  group.variable("shape", row, faces.shape, "index among the shapes of the scene file");
+  group.variable("kind", row, faces.kind, faces.kinds, "what face it is");
+  group.variable("material", row, faces.material, material_types, "type of the material");
+  group.variable("corners", {"face", "corner", "xyz"}, faces.corners,
+                 "corners of a triangle; origin of a parallelogram and the ends of its edges "
+                 "there; centre of a sphere");
+  group.variable("radius", row, faces.radius, "radius of a sphere");
+  group.flags("flip", row, faces.flipped, "the normal of the sphere points to its centre");
+  group.variable("radiance", row, faces.radiance,
+                 "luminance of a light, on the side of the normal; else 0");
+  group.flags("is_sensor", row, faces.is_sensor, "it listens on the side of the normal");
+}
+
+void write_constant_data(const Writer& file, const description::Scene& scene) {
+  const Writer group = file.group("constant_data");
+  if (scene.dimension == 2)
+    write_curves(group, scene_curves(scene));
+  else
+    write_faces(group, scene_faces(scene));
+  if (scene.camera) write_camera(group, *scene.camera, scene.dimension);
 }
 
 void write_root(const Writer& file, const TrajectoryRecord& record) {

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "records/film_netcdf.h"
 #include "records/netcdf.h"
 #include "records/seal.h"
 #include "records/trajectory_layout.h"
@@ -132,13 +133,14 @@ std::optional<TrajectoryRecord> find_trajectory(const std::filesystem::path& pat
   std::ifstream file(path, std::ios::binary);
   std::string bytes(signature.size(), '\0');
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (bytes != signature) return std::nullopt;
+  if (bytes != signature || is_film_netcdf(path)) return std::nullopt;
   bytes.append(std::istreambuf_iterator<char>(file), {});
   const std::optional<std::string_view> whole = unsealed(bytes);
   if (!whole)
-    throw RunFileError(fmt::format(
-        "{}: not a trajectory of this program, or cut short or changed since it was written",
-        path.string()));
+    throw RunFileError(
+        fmt::format("{}: not a trajectory or film of this program, or cut short or changed since "
+                    "it was written",
+                    path.string()));
   try {
     const netcdf::Reader reader(*whole);
     return record_from(reader.root());

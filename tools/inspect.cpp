@@ -108,7 +108,7 @@ void add_inspect(CLI::App& app, Global& global) {
       "inspect", "say what a scene requires, or what a run, trajectory or comparison holds");
   verb->add_option("FILE", options->file,
                    "a scene file, gallery:NAME, - (a scene from standard input), a run.json or "
-                   "compare.json, its directory, a film.exr, or a "
+                   "compare.json, its directory, a film.exr or film.nc, or a "
                    "trajectory")
       ->type_name("")
       ->required();

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/film_statistics.h"
+#include "core/tint.h"
 #include "lab/failure.h"
 #include "lab/reference_name.h"
 #include "lab/wording.h"
+#include "records/film_layers.h"
 #include "records/run_json.h"
 #include "statistics/number_text.h"
 #include "tools/inspection.h"
@@ -22,15 +25,40 @@ ordered_json json_of(double x) {
   return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
 }
 
+// `mean` is that of their luminance.
+ordered_json channel_means(const FilmEstimate& film) {
+  const auto channels = static_cast<std::size_t>(channels_of(film.shape));
+  std::vector<double> sums(channels);
+  for (std::size_t i = 0; i < film.value.size(); ++i) sums[i % channels] += film.value[i];
+  ordered_json json = ordered_json::object();
+  for (std::size_t c = 0; c < channels; ++c)
+    json[std::string(channel_names(channels)[c])] =
+        json_of(sums[c] * static_cast<double>(channels) / static_cast<double>(film.value.size()));
+  return json;
+}
+
 ordered_json film_of(const FilmEstimate& film) {
   ordered_json json{{"shape", film.shape},
                     {"degrees_of_freedom", json_of(film.degrees_of_freedom)}};
+  if (film.shape.size() > 1)
+    json["channels"] = channel_names(static_cast<std::size_t>(channels_of(film.shape)));
   if (film.value.empty()) return json;
   json["mean"] = json_of(mean_value(film));
+  if (channels_of(film.shape) > 1) json["channel_means"] = channel_means(film);
   json["relative_error"] = json_of(relative_error(film));
   json["reliable_share"] =
       static_cast<double>(reliable_bins(film)) / static_cast<double>(film.value.size());
   return json;
+}
+
+std::string channel_lines(const FilmEstimate& film) {
+  if (film.value.empty() || channels_of(film.shape) < 2) return "";
+  std::vector<std::string> means;
+  const ordered_json by_channel = channel_means(film);
+  for (const auto& [name, mean] : by_channel.items())
+    means.push_back(fmt::format("{} {}", name,
+                                mean.is_null() ? "unknown" : number_text(mean.get<double>(), 6)));
+  return fmt::format("  channels        mean {}\n", fmt::join(means, ", "));
 }
 
 std::string number(const ordered_json& value) {
@@ -78,7 +106,7 @@ std::string made_by_lines(const Provenance& provenance) {
 
 std::string text_of_run(const RunRecord& run) {
   const Provenance& provenance = run.provenance;
-  std::string text = summary_of(run.rendering);
+  std::string text = summary_of(run.rendering) + channel_lines(run.rendering.film);
   text += fmt::format("  scene           {}\n",
                       provenance.scene_name.empty() ? "without a name" : provenance.scene_name);
   text += fmt::format("  scene sha256    {}\n", provenance.scene_sha256);
@@ -93,7 +121,10 @@ ordered_json compare_runs(const RunRecord& run, const RunRecord& reference) {
   const FilmEstimate &film = run.rendering.film, &expected = reference.rendering.film;
   if (film.shape != expected.shape || film.value.size() != expected.value.size() ||
       film.value.empty())
-    throw UsageError("the film and its reference have different shapes: nothing to compare");
+    throw UsageError(fmt::format(
+        "the film has {}{}, its reference {}{}: nothing to compare", extent_in_words(film.shape),
+        film.value.empty() ? " without values" : "", extent_in_words(expected.shape),
+        expected.value.empty() ? " without values" : ""));
   const FilmComparison comparison = film_comparison(film, expected);
   return {{"reference",
            {{"name", name_of_reference(reference.rendering)},

@@ -21,6 +21,7 @@
 #include "tools/output_place.h"
 #include "tools/plot_film.h"
 #include "tools/plot_fluence.h"
+#include "tools/plot_image.h"
 #include "tools/plot_trajectory.h"
 #include "tools/verb.h"
 
@@ -64,6 +65,12 @@ void require_linear(const PlotOptions& options, const char* what) {
         fmt::format("--log-y is for films, and {} is {}", options.files.front(), what));
 }
 
+void require_no_exposure(const PlotOptions& options, const char* what) {
+  if (options.exposure)
+    throw UsageError(
+        fmt::format("--exposure is for images, and {} is {}", options.files.front(), what));
+}
+
 // Which kind of file the first one is decides; a scene is what is nothing else.
 Figure figure_of(const PlotOptions& options) {
   const std::string& file = options.files.front();
@@ -71,6 +78,7 @@ Figure figure_of(const PlotOptions& options) {
   if (is_file)
     if (const auto record = find_trajectory(file)) {
       require_linear(options, "a trajectory");
+      require_no_exposure(options, "a trajectory");
       return {"trajectory", trajectory_svg(*record, options)};
     }
   if (!options.trajectory.is_empty())
@@ -78,10 +86,15 @@ Figure figure_of(const PlotOptions& options) {
                      " is no trajectory, which --figure, --draws, --chain, --mutation and --class "
                      "are for; `wander trace` records one");
   if (!is_scene(file))
-    if (const auto comparison = compare::find_comparison(file))
+    if (const auto comparison = compare::find_comparison(file)) {
+      require_no_exposure(options, "a comparison");
       return {"comparison", comparison_svg(*comparison, options)};
-  if (const std::optional<Film> film = find_film(file)) return {"film", film_svg(*film, options)};
+    }
+  if (std::optional<Film> film = find_film(file))
+    return {"film",
+            film->is_image() ? image_svg(*std::move(film), options) : film_svg(*film, options)};
   require_linear(options, "a scene");
+  require_no_exposure(options, "a scene");
   return {"scene", scene_svg(options)};
 }
 
@@ -91,7 +104,7 @@ void require_sensible(const PlotOptions& options, const Global& global) {
   if (!fluence.wanted && (fluence.budget || fluence.resolution))
     throw UsageError("--budget and --resolution are for --fluence");
   if (fluence.wanted && (!options.trajectory.is_empty() || !options.reference.empty() ||
-                         options.values == figure::Spacing::logarithmic))
+                         options.exposure || options.values == figure::Spacing::logarithmic))
     throw UsageError(
         "--fluence is of a scene alone: no option of films or trajectories goes "
         "with it");
@@ -152,7 +165,8 @@ DrawRange parse_draws(std::string_view text) {
 }
 
 void add_film_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& options) {
-  verb.add_option("--reference", options->reference, "draw this run into every film as a thin line")
+  verb.add_option("--reference", options->reference,
+                  "draw this run into every film as a thin line; hold every image against it")
       ->type_name("RUN");
   verb.add_option_function<std::string>(
           "--layout", [options](const std::string& text) { options->layout = parse_layout(text); },
@@ -162,6 +176,12 @@ void add_film_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& option
   verb.add_flag_callback(
       "--log-y", [options] { options->values = figure::Spacing::logarithmic; },
       "of films: a logarithmic axis of values (that of errors always is)");
+  verb.add_option_function<std::string>(
+          "--exposure",
+          [options](const std::string& text) { options->exposure = parse_exposure(text); },
+          "of images, in stops: +1 is twice as bright (default: 0, with which 99 % of the pixels "
+          "that have light are not above white)")
+      ->type_name("EV");
 }
 
 void add_page_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& options) {
@@ -227,7 +247,9 @@ void add_fluence_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& opt
 constexpr const char* details = R"(
 A scene is drawn with its lights (red, rays on the side that shines), its sensor (blue, pins on
 the side that listens) and its materials.  Films are drawn with 95 % intervals; bins that are not
-reliable are hatched.  Several runs share one figure.  Of a comparison the error is drawn against
+reliable are hatched.  Several runs share one figure.  Images stand beside maps of their relative
+error; beside an image that is held against another, the --reference or the second of two, stands
+their difference in units of the standard error of both.  Of a comparison the error is drawn against
 time, with the times from which on one contender is ahead of another.  Of a trajectory the first
 steps are drawn one by one: the current path black, accepted proposals solid, rejected ones dashed,
 failed ones dotted as far as they came; moves too small to be seen are enlarged.
@@ -239,6 +261,7 @@ Examples:
   wander plot scene.json -o scene.svg
   wander plot run_mlt run_bdpt --reference long_run -o films.svg
   wander plot run_mlt run_bdpt --width 84mm -o films.pdf
+  wander plot image_mlt image_bdpt --exposure 1 -o images.png
   wander plot comparison -o error.svg
   wander plot trace.nc --figure paths --chain 2 --draws 100:112 -o paths.svg
   wander plot scene.json --fluence -b 2M -o light.svg
@@ -252,7 +275,7 @@ void add_plot(CLI::App& app, Global& global) {
       "plot", "draw a scene, films, a comparison, a trajectory or light as a figure");
   verb->add_option("FILE", options->files,
                    "a scene file, gallery:NAME, - (a scene from standard input), runs (directory, "
-                   "run.json or film.exr), a "
+                   "run.json, film.exr or film.nc), a "
                    "comparison (directory or compare.json), or a trajectory (FILE.nc)")
       ->required();
   verb->add_option("--title", options->title, "instead of the name of the scene")

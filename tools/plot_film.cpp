@@ -15,11 +15,6 @@ namespace wander {
 
 namespace {
 
-Film require_film(const std::string& path) {
-  if (std::optional<Film> film = find_film(path)) return std::move(*film);
-  throw UsageError(path + " is not a run; only runs can be drawn together");
-}
-
 // Films over sensors of different kinds or lengths share no axis.
 void require_same_axes(const Film& film, const Film& first) {
   const figure::FilmAxes a = film.axes(), b = first.axes();
@@ -28,16 +23,46 @@ void require_same_axes(const Film& film, const Film& first) {
     throw UsageError(fmt::format("{} and {} have different sensors", film.path, first.path));
 }
 
-// "run" for run, run/, run/run.json and run/film.exr.
+// "run" for run, run/, run/run.json and the films in it.
 std::string short_name(const std::string& path) {
   std::filesystem::path name(path);
   if (!name.has_filename()) name = name.parent_path();
-  const bool inside = name.filename() == "run.json" || name.filename() == "film.exr";
+  const bool inside = name.filename() == "run.json" || name.filename() == "film.exr" ||
+                      name.filename() == "film.nc";
   if (inside && name.has_parent_path()) name = name.parent_path();
   return name.filename().string();
 }
 
-// The method, with the name of the run where two runs share a method.
+}  // namespace
+
+std::optional<Film> find_film(const std::string& path) {
+  std::optional<RunRecord> run = is_scene(path) ? std::nullopt : find_run(path);
+  if (!run) return std::nullopt;
+  const bool is_image = run->provenance.dimension == 3;
+  if (!is_image && run->rendering.film.shape.size() > 1)
+    throw UsageError(path +
+                     ": this is a picture, such as --fluence computes, and no film; "
+                     "viewers of OpenEXR show it");
+  if (run->rendering.film.value.empty())
+    throw RunFileError(path + (is_image
+                                   ? ": the run holds no film; the film.nc beside run.json has it"
+                                   : ": the run holds no film values"));
+  Film film{path, std::move(*run), std::nullopt};
+  const std::string& text = film.run.provenance.scene_text;
+  if (!text.empty() && !is_image) film.scene = parse_scene(text, path).scene;
+  return film;
+}
+
+Film require_film(const std::string& path, const Film& first) {
+  std::optional<Film> film = find_film(path);
+  if (!film) throw UsageError(path + " is not a run; only runs can be drawn together");
+  if (film->is_image() != first.is_image())
+    throw UsageError(fmt::format("{} is an image and {} a row of bins: they share no figure",
+                                 film->is_image() ? path : first.path,
+                                 film->is_image() ? first.path : path));
+  return *std::move(film);
+}
+
 std::string label_of(const Film& film, const std::vector<Film>& films) {
   const Rendering& rendering = film.run.rendering;
   if (const std::string origin = origin_of(rendering); is_exact(origin)) return "exact";
@@ -52,31 +77,12 @@ figure::LabelledFilm reference_film(const Film& film) {
   return {name_of_reference(film.run.rendering), film.run.rendering};
 }
 
-}  // namespace
-
-std::optional<Film> find_film(const std::string& path) {
-  std::optional<RunRecord> run = is_scene(path) ? std::nullopt : find_run(path);
-  if (!run) return std::nullopt;
-  if (run->provenance.dimension != 2)
-    throw UsageError(path +
-                     ": plot draws films of two-dimensional scenes; this one is an image, "
-                     "and film.exr holds it");
-  if (run->rendering.film.shape.size() > 1)
-    throw UsageError(path +
-                     ": this is a picture, such as --fluence computes, and no film; "
-                     "viewers of OpenEXR show it");
-  if (run->rendering.film.value.empty())
-    throw RunFileError(path + ": the run holds no film values");
-  Film film{path, std::move(*run), std::nullopt};
-  const std::string& text = film.run.provenance.scene_text;
-  if (!text.empty()) film.scene = parse_scene(text, path).scene;
-  return film;
-}
-
 std::string film_svg(const Film& first, const PlotOptions& options) {
+  if (options.exposure)
+    throw UsageError("--exposure is for images, and " + first.path + " is a row of bins");
   std::vector<Film> films{first};
   for (std::size_t k = 1; k < options.files.size(); ++k)
-    films.push_back(require_film(options.files[k]));
+    films.push_back(require_film(options.files[k], first));
   figure::FilmFigureOptions how{.title = options.title.value_or(first.run.provenance.scene_name),
                                 .axes = first.axes(),
                                 .inset = first.scene,
@@ -92,7 +98,7 @@ std::string film_svg(const Film& first, const PlotOptions& options) {
     if (film.run.provenance.scene_sha256 != first.run.provenance.scene_sha256) how.inset.reset();
   }
   if (!options.reference.empty()) {
-    const Film reference = require_film(options.reference);
+    const Film reference = require_film(options.reference, first);
     require_same_axes(reference, first);
     how.reference = reference_film(reference);
   }

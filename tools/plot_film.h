@@ -1,4 +1,4 @@
-// `wander plot` of runs: films of two-dimensional scenes in one figure.
+// `wander plot` of runs: films of two-dimensional scenes in one figure, and what all films share.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,22 @@ namespace wander {
 struct Film {
   std::string path;
   RunRecord run;
-  std::optional<description::Scene> scene;  // none if the run does not hold its text
+  std::optional<description::Scene>
+      scene;  // none if the run does not hold its text, or of an image
 
+  bool is_image() const { return run.provenance.dimension == 3; }
   figure::FilmAxes axes() const { return scene ? figure::film_axes(*scene) : figure::FilmAxes{}; }
 };
 
 // None if the file is no run.  Throws where it is one that cannot be drawn.
 std::optional<Film> find_film(const std::string& path);
+
+// One of several that are drawn together with the first.  Throws where it is no run, or if one is a
+// row of bins and the other an image.
+Film require_film(const std::string& path, const Film& first);
+// The method, with the name of the run where two runs share a method.
+std::string label_of(const Film& film, const std::vector<Film>& films);
+figure::LabelledFilm reference_film(const Film& film);
 
 // All files of the command line; `first` is the first of them.
 std::string film_svg(const Film& first, const PlotOptions& options);

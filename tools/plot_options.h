@@ -51,6 +51,7 @@ struct PlotOptions {
   std::optional<double> dpi;         // of PNG
   figure::Layout layout = figure::Layout::automatic;
   figure::Spacing values = figure::Spacing::linear;  // of the axis of films
+  std::optional<double> exposure;                    // of images, in stops
   TrajectoryPlotOptions trajectory;
   FluencePlotOptions fluence;
 };

@@ -101,8 +101,8 @@ ExitCode render_scene(const RenderOptions& options, const RenderTask& task, cons
                       provenance_of(task.document, global.command_line)};
 
   if (directory) {
-    write_run(run, task.job.scene(), directory->path());
-    spdlog::debug("wrote film.exr, film.csv and run.json");
+    write_run(run, task.job.scene(), directory->path(), options.exposure.value_or(0));
+    spdlog::debug("wrote the film and run.json");
   }
   if (!global.quiet) {
     print_note(summary_of(run.rendering));
@@ -130,6 +130,8 @@ The same seed and number of samples, or error, give the same film, whatever the 
 DIR receives film.exr, film.csv and run.json, and a file `checkpoint` from which --continue carries
 the run on, also after Ctrl-C, which saves what was computed so far, or after a crash.  Continued to
 the same number of samples it has the same bits as if it had never stopped.
+An image, of a three-dimensional scene, has film.nc with its exact numbers in place of film.csv, and
+film.png to look at.
 
 Examples:
   wander render scene.json -m bdpt -b 1M -o run
@@ -169,6 +171,12 @@ void add_render(CLI::App& app, Global& global) {
           "runs "
           "longer than two minutes); 0: never, nor at its end")
       ->type_name("SECONDS");
+  verb->add_option_function<std::string>(
+          "--exposure",
+          [options](const std::string& text) { options->exposure = parse_exposure(text); },
+          "of film.png, in stops: +1 is twice as bright (default: 0, with which 99 % of the pixels "
+          "that have light are not above white)")
+      ->type_name("EV");
   add_dial_options(*verb, options->given);
   add_global_options(*verb, global);
   verb->footer("\n" + methods_help() + details);

@@ -149,10 +149,31 @@ std::optional<RenderTask> examine_continued(const RenderOptions& options, const 
 
 }  // namespace
 
+namespace {
+
+// Of the scene, whichever way it was named.
+void examine_exposure(const RenderOptions& options, const Global& global, const RenderTask& task,
+                      Examination& examination) {
+  if (!options.exposure) return;
+  examination.part([&] {
+    if (task.job.scene().dimension == 2)
+      throw UsageError(
+          "--exposure is for film.png, the picture of a three-dimensional scene; the film of this "
+          "scene is a row of bins");
+    if (global.out.empty())
+      throw UsageError("--exposure is for film.png, which goes to -o DIR; say where");
+  });
+}
+
+}  // namespace
+
 std::optional<RenderTask> examine_render(const RenderOptions& options, const Global& global,
                                          Examination& examination) {
-  return options.is_continuation ? examine_continued(options, global, examination)
-                                 : examine_new(options, global, examination);
+  std::optional<RenderTask> task = options.is_continuation
+                                       ? examine_continued(options, global, examination)
+                                       : examine_new(options, global, examination);
+  if (task) examine_exposure(options, global, *task, examination);
+  return task;
 }
 
 Keeper keeper_for(const RenderOptions& options, const Budget& budget) {

@@ -20,6 +20,7 @@ struct RenderOptions {
   const Method* method = nullptr;
   std::string budget;                // empty: the usual one, or that of the run
   std::optional<double> checkpoint;  // seconds; none: what is usual
+  std::optional<double> exposure;    // of film.png, in stops
   bool is_continuation = false;
   bool names_method = false;  // perhaps one that is not known
   std::optional<std::uint64_t> seed;

@@ -8,6 +8,7 @@
 #include <iterator>
 
 #include "core/film_statistics.h"
+#include "core/tint.h"
 #include "lab/reference_name.h"
 #include "lab/wording.h"
 #include "mlt/watch/functional_words.h"
@@ -48,12 +49,16 @@ std::string work_line(const Rendering& rendering) {
 }
 
 std::string film_lines(const FilmEstimate& film) {
-  if (film.value.empty())
-    return fmt::format("  film            {} pixels\n", fmt::join(film.shape, " x "));
-  std::string text = fmt::format("  film            {} bins, mean {}\n",
-                                 fmt::join(film.shape, " x "), number_text(mean_value(film), 6));
+  const std::string extent = extent_in_words(film.shape);
+  if (film.value.empty()) return fmt::format("  film            {}\n", extent);
+  const bool coloured = channels_of(film.shape) > 1;
+  std::string text = fmt::format("  film            {}, mean {}{}\n", extent,
+                                 coloured ? "luminance " : "", number_text(mean_value(film), 6));
   text += fmt::format("  relative error  {}\n", percent(relative_error(film)));
-  text += fmt::format("  reliable        {} of {} bins", reliable_bins(film), film.value.size());
+  text += fmt::format("  reliable        {} of {} {}", reliable_bins(film), film.value.size(),
+                      coloured                ? "numbers"
+                      : film.shape.size() > 1 ? "pixels"
+                                              : "bins");
   if (std::isfinite(film.degrees_of_freedom))
     text += fmt::format(" ({} degrees of freedom)", number_text(film.degrees_of_freedom, 4));
   return text + '\n';

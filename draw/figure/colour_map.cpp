@@ -18,6 +18,10 @@ constexpr std::array<std::uint32_t, 52> inferno{
     0xf47918, 0xf78212, 0xf98b0b, 0xfa9407, 0xfb9d07, 0xfca60c, 0xfcb014, 0xfbba1f, 0xfac42a,
     0xf8cd37, 0xf6d746, 0xf4e156, 0xf2ea69, 0xf2f27d, 0xf5f992, 0xfcffa4};
 constexpr std::array<std::uint32_t, 3> ink{0xffffff, 0xa8c4d6, 0x547ca4};
+// RdBu of ColorBrewer [Harrower and Brewer 2003], from blue to red.
+constexpr std::array<std::uint32_t, 11> blue_to_red{0x053061, 0x2166ac, 0x4393c3, 0x92c5de,
+                                                    0xd1e5f0, 0xf7f7f7, 0xfddbc7, 0xf4a582,
+                                                    0xd6604d, 0xb2182b, 0x67001f};
 
 ColourMap interpolated(std::span<const std::uint32_t> anchors) {
   ColourMap map;
@@ -44,6 +48,11 @@ const ColourMap& light_colours() {
 
 const ColourMap& ink_colours() {
   static const ColourMap map = interpolated(ink);
+  return map;
+}
+
+const ColourMap& difference_colours() {
+  static const ColourMap map = interpolated(blue_to_red);
   return map;
 }
 

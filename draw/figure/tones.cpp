@@ -6,24 +6,14 @@
 #include <tuple>
 #include <vector>
 
+#include "draw/figure/embedded_image.h"
+
 namespace wander::figure {
 namespace {
 
 // Share of the positive values above the scale: fireflies do not darken a picture.
 constexpr double beyond = 0.002;
 constexpr double least_decades = 1, most_decades = 3;
-
-void draw_image(Svg& svg, std::span<const std::uint8_t> tones, int columns, int rows,
-                const ColourMap& colours, Vector top_left, Vector size) {
-  svg.element("image",
-              {{"x", top_left.x},
-               {"y", top_left.y},
-               {"width", size.x},
-               {"height", size.y},
-               {"preserveAspectRatio", "none"},
-               // Inkscape 1.2 knows xlink:href alone, and the bytes are too many to be said twice.
-               {"xlink:href", png_address(to_png(tones, columns, rows, colours))}});
-}
 
 }  // namespace
 
@@ -55,8 +45,8 @@ void draw_tones(Svg& svg, std::span<const double> values, const PlaneGrid& grid,
   std::vector<std::uint8_t> tones;
   for (const double value : values) tones.push_back(scale.tone(value));
   const auto scope = svg.group("tones");
-  draw_image(svg, tones, grid.columns(), grid.rows(), colours, {low.x, high.y},
-             {high.x - low.x, low.y - high.y});
+  draw_image(svg, to_png(tones, grid.columns(), grid.rows(), colours), {low.x, high.y},
+             {high.x - low.x, low.y - high.y}, Enlarged::smoothly);
 }
 
 void draw_tone_legend(Svg& svg, const ToneScale& scale, const ColourMap& colours,
@@ -65,7 +55,8 @@ void draw_tone_legend(Svg& svg, const ToneScale& scale, const ColourMap& colours
   const auto scope = svg.group("tone-legend");
   std::vector<std::uint8_t> tones(colours.size());
   std::iota(tones.begin(), tones.end(), std::uint8_t{0});
-  draw_image(svg, tones, static_cast<int>(tones.size()), 1, colours, top_left, {width, bar_height});
+  draw_image(svg, to_png(tones, static_cast<int>(tones.size()), 1, colours), top_left,
+             {width, bar_height}, Enlarged::smoothly);
   const Axis axis = make_log_axis(quantity, scale.domain, {top_left.x, top_left.x + width});
   draw_bottom_axis(svg, axis, top_left.y + bar_height);
   draw_bottom_title(svg, axis, top_left.y + bar_height);

@@ -1,7 +1,6 @@
 #include "lab/compare/reference.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "core/film_statistics.h"
 #include "lab/failure.h"
 #include "lab/reference_name.h"
+#include "lab/wording.h"
 #include "records/run_json.h"
 #include "statistics/number_text.h"
 
@@ -23,10 +23,6 @@ namespace {
 // A film whose own error, relative to itself, is above this part is no exact answer.
 constexpr double largest_exact_error = 1e-3;
 
-std::string text_of(const std::vector<int>& shape) {
-  return fmt::format("{} bins", fmt::join(shape, " x "));
-}
-
 std::size_t bins_of(const std::vector<int>& shape) {
   std::size_t bins = 1;
   for (const int extent : shape) bins *= static_cast<std::size_t>(extent);
@@ -36,13 +32,14 @@ std::size_t bins_of(const std::vector<int>& shape) {
 // A file may hold anything.
 void require_sound(const std::filesystem::path& file, const FilmEstimate& film) {
   const auto refuse = [&](const std::string& fault) {
-    throw RunFileError(
-        fmt::format("--reference {}: {}; give a film.exr, run.json or reference.json as the "
-                    "program wrote it, or leave --reference out",
-                    file.string(), fault));
+    throw RunFileError(fmt::format(
+        "--reference {}: {}; give a film.exr, film.nc, run.json or reference.json as the "
+        "program wrote it, or leave --reference out",
+        file.string(), fault));
   };
   if (film.value.size() != bins_of(film.shape))
-    refuse(fmt::format("its film of {} has {} values", text_of(film.shape), film.value.size()));
+    refuse(fmt::format("its film of {} has {} values", extent_in_words(film.shape),
+                       film.value.size()));
   const auto broken =
       std::ranges::count_if(film.value, [](double value) { return !std::isfinite(value); });
   if (broken > 0)
@@ -60,8 +57,8 @@ Reference reference_from_file(const std::filesystem::path& file, const std::vect
   if (film.value.empty() || film.shape != shape)
     throw UsageError(fmt::format(
         "--reference {}: its film has {}{}, that of the scene {}; give a film of the same shape",
-        file.string(), text_of(film.shape), film.value.empty() ? " without values" : "",
-        text_of(shape)));
+        file.string(), extent_in_words(film.shape), film.value.empty() ? " without values" : "",
+        extent_in_words(shape)));
   require_sound(file, film);
   if (run.provenance.scene_sha256 != scene.scene_sha256)
     warnings.push_back(fmt::format(

@@ -13,9 +13,6 @@ namespace {
 constexpr double smooth_below = 1e-8;    // roughness
 constexpr double matched_below = 1e-12;  // |η - 1|
 
-double grey(const description::Quantity& q) {
-  return q.coloured ? luminance(q.channels) : q.channels[0];
-}
 template <World W>
 typename W::Tint tint(const description::Quantity& q) {
   return q.coloured ? W::Tint::of(q.channels) : typename W::Tint{};
@@ -61,7 +58,7 @@ template <World W>
 struct MaterialBuilder {
   using Real = typename W::Real;
   static Real real(double x) { return static_cast<Real>(x); }
-  static Real grey(const description::Quantity& q) { return real(wander::grey(q)); }
+  static Real grey(const description::Quantity& q) { return real(luminance(q)); }
 
   Material<W> operator()(const description::Black&) const { return Black<W>{}; }
   Material<W> operator()(const description::Diffuse& m) const {
@@ -108,7 +105,7 @@ std::unique_ptr<const Scene<W>> build_scene(const description::Scene& scene) {
         shape.light ? shape.light->radiance : description::Quantity{};
     const auto add = [&](Shape<W> made) {
       parts.parts.push_back({std::move(made), shape.material.value_or(black),
-                             static_cast<typename W::Real>(grey(radiance)),
+                             static_cast<typename W::Real>(luminance(radiance)),
                              shape.sensor.has_value(), tint<W>(radiance)});
     };
     description::visit_kind<W::dimension>(

@@ -14,8 +14,10 @@
 #include "records/atomic_file.h"
 #include "records/netcdf.h"
 #include "records/scene_curves.h"
+#include "records/scene_faces.h"
 #include "records/seal.h"
 #include "records/trajectory_csv.h"
+#include "tests/support/coloured_box.h"
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {
@@ -218,13 +220,38 @@ TEST_F(TrajectoryFile, HasTheNamesOfTheLayout) {
   EXPECT_GT(*std::ranges::max_element(values), 0);
 }
 
+TEST_F(TrajectoryFile, HasTheFacesOfASceneInSpace) {
+  const description::Scene scene = coloured_box();
+  const SceneFaces faces = scene_faces(scene);
+  ASSERT_EQ(faces.size(), 8U);
+  const std::string bytes = to_netcdf(small_record(3), scene);
+  const netcdf::Reader reader(unsealed(bytes).value());
+  const auto constants = reader.root().group("constant_data");
+  EXPECT_EQ(constants.words("kind"),
+            (std::vector<std::string>{"triangle", "parallelogram", "sphere"}));
+  std::vector<double> values;
+  constants.read("corners", 9 * faces.size(), values);
+  EXPECT_TRUE(same(values, faces.corners));
+  // The second edge of the floor ends at (1, 0, 0); the ball is the seventh.
+  EXPECT_EQ(std::vector<double>(values.begin() + 6, values.begin() + 9),
+            (std::vector<double>{1, 0, 0}));
+  EXPECT_EQ(std::vector<double>(values.begin() + 54, values.begin() + 57),
+            (std::vector<double>{0.55, 0.3, 0.4}));
+  EXPECT_EQ(faces.radius[6], 0.2);
+  constants.read("radiance", faces.size(), values);
+  EXPECT_DOUBLE_EQ(values[7], luminance({9, 7, 4}));
+  constants.read("camera_up", 3, values);
+  EXPECT_EQ(values, (std::vector<double>{0, 1, 0}));
+}
+
 TEST_F(TrajectoryFile, ThatIsNoneOrBrokenIsRefusedWithItsName) {
   const std::string whole = to_netcdf(small_record(2), diffuse_room());
   EXPECT_FALSE(find_trajectory(file("{}")));
   EXPECT_FALSE(find_trajectory(folder_ / "missing"));
   EXPECT_NE(message("").find("t.nc"), std::string::npos);
   for (const std::size_t size : {whole.size() / 2, whole.size() - 1, std::size_t{100}})
-    EXPECT_NE(message(whole.substr(0, size)).find("t.nc: not a trajectory of this program, or cut"),
+    EXPECT_NE(message(whole.substr(0, size))
+                  .find("t.nc: not a trajectory or film of this program, or cut"),
               std::string::npos)
         << size;
 }

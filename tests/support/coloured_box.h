@@ -32,7 +32,19 @@ inline const std::string coloured_box_text = R"({
               "up": [0, 1, 0], "fov_deg": 70, "resolution": [6, 4] }
 })";
 
-inline description::Scene coloured_box() { return parse_scene(coloured_box_text, "box.json").scene; }
+inline description::Scene coloured_box() {
+  return parse_scene(coloured_box_text, "box.json").scene;
+}
+
+// Without caustics, whose error bars need many samples.
+inline description::Scene coloured_box_without_caustics() {
+  description::Scene scene = coloured_box();
+  for (auto& material : scene.materials)
+    if (std::holds_alternative<description::Mirror>(material.kind) ||
+        std::holds_alternative<description::Dielectric>(material.kind))
+      material.kind = description::Diffuse{{{0.2, 0.7, 0.4}, true}};
+  return scene;
+}
 
 // All that is coloured has the value of one channel.
 inline description::Scene channel_of(description::Scene scene, std::size_t channel) {

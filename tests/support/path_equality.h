@@ -7,12 +7,15 @@
 
 namespace wander::test {
 
+inline bool same_tint(Tint<1>, Tint<1>) { return true; }
+inline bool same_tint(const Tint<3>& a, const Tint<3>& b) { return a.colour == b.colour; }
+
 template <class W>
 bool identical(const Vertex<W>& a, const Vertex<W>& b) {
   return a.place.position == b.place.position && a.place.normal == b.place.normal &&
          a.place.to_sensor == b.place.to_sensor && a.place.element() == b.place.element() &&
          a.geometry == b.geometry && a.value == b.value && a.from_light == b.from_light &&
-         a.from_sensor == b.from_sensor && a.event == b.event;
+         a.from_sensor == b.from_sensor && a.event == b.event && same_tint(a.tint, b.tint);
 }
 
 // `to_sensor` and `geometry` of the last vertex belong to no edge.

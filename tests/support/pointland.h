@@ -26,6 +26,7 @@ namespace wander::test {
 struct Pointland {
   static constexpr int dimension = 0;
   using Real = double;
+  using Tint = wander::Tint<1>;
   struct Place {
     int node = -1;
   };

@@ -25,9 +25,9 @@ using Flat = Transport<W>;
 
 // h(u) in [0, 1]: the share of the light in each stripe of the film, by length; the largest share;
 // how many splats there are.
-FunctionValues values_of(const Flat& space, const SampleSplats& sample) {
+FunctionValues values_of(const Flat& space, const SampleSplats<W>& sample) {
   FunctionValues h{};
-  sample.for_each_share([&](int vertices, int bin, double share) {
+  sample.for_each_share([&](int vertices, int bin, double share, Tint<1>) {
     const auto stripe = static_cast<std::size_t>(bin) * film_stripes /
                         static_cast<std::size_t>(space.scene().bins());
     const auto length = static_cast<std::size_t>(std::min(vertices, 5) - 2);

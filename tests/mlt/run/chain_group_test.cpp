@@ -100,7 +100,7 @@ TEST(PssmltGroups, MakeTheStepsOfTheirOwnStreams) {
     for (std::uint64_t i = 0; i < 100; ++i) {
       random.start(i);
       double expected = chain.current().total;
-      chain.step(sampler, random, [&](const PrimaryStep<SampleSplats>& step) {
+      chain.step(sampler, random, [&](const PrimaryStep<SampleSplats<Flatland>>& step) {
         deposit(step, ExpectedValues::deposit(step, {slice.tally().mean(), 0, 0.3}), film);
         if (step.accepted()) expected = step.proposed.total;
       });

@@ -104,20 +104,20 @@ TEST_P(PrimaryRooms, DepositsOfExpectedValuesSumToTheNumberOfSteps) {
 
 TEST(KelemenWeights, AreThoseOfKelemenWhereAllConstantsAreOne) {
   const PrimaryConstants b{2, 2, 0.3};
-  SampleSplats x(2), y(2);
+  SampleSplats<Flatland> x(2), y(2);
   x.total = 5;
   y.total = 0.5;
   for (const PrimaryMove move : {PrimaryMove::small, PrimaryMove::large}) {
     const double large = move == PrimaryMove::large ? 1 : 0;
     for (const Reason reason : {Reason::none, Reason::metropolis}) {
-      const PrimaryStep<SampleSplats> step{x, y, move, 1, 0.1, reason};
+      const PrimaryStep<SampleSplats<Flatland>> step{x, y, move, 1, 0.1, reason};
       const PrimaryDeposit d = KelemenWeights::deposit(step, b);
       EXPECT_NEAR(d.current, (1 - 0.1) / (5 / 2.0 + 0.3) * 5, 1e-15);
       EXPECT_NEAR(d.proposed, (0.1 + large) / (0.5 / 2.0 + 0.3) * 0.5, 1e-15);
     }
   }
   // Without other groups there is nothing to weigh by: expected values.
-  const PrimaryStep<SampleSplats> step{x, y, PrimaryMove::large, 1, 0.1, Reason::none};
+  const PrimaryStep<SampleSplats<Flatland>> step{x, y, PrimaryMove::large, 1, 0.1, Reason::none};
   const PrimaryDeposit alone = KelemenWeights::deposit(step, {2, 0, 0.3});
   EXPECT_EQ(alone.current, ExpectedValues::deposit(step, {2, 0, 0.3}).current);
   EXPECT_EQ(alone.proposed, ExpectedValues::deposit(step, {2, 0, 0.3}).proposed);

@@ -1,0 +1,99 @@
+#include "draw/figure/image_panel.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "draw/figure/embedded_image.h"
+#include "draw/figure/style.h"
+#include "records/png.h"
+
+namespace wander::figure {
+namespace {
+
+constexpr double line_height = 9, words_gap = 4, bar_gap = 5, bar_height = 6;
+constexpr Rgb not_known_colour{0xb0, 0xb0, 0xb0};
+
+std::vector<std::string> lines_of(const ImagePanel& panel, double width) {
+  std::vector<std::string> lines;
+  for (const std::string& text : panel.words)
+    for (std::string& line : wrapped(text, style::small_size * style::bold_width, width))
+      lines.push_back(std::move(line));
+  return lines;
+}
+
+void draw_words(Svg& svg, const ImagePanel& panel, Vector top_left, double width) {
+  double y = top_left.y + style::small_size;
+  for (const std::string& text : panel.words) {
+    const bool is_first = &text == &panel.words.front();
+    for (const std::string& line : wrapped(text, style::small_size * style::bold_width, width)) {
+      svg.text({top_left.x, y}, line,
+               {.size = style::small_size, .weight = is_first ? "bold" : "normal"});
+      y += line_height;
+    }
+  }
+}
+
+void draw_frame(Svg& svg, Vector top_left, Vector size) {
+  svg.element("rect", {{"x", top_left.x},
+                       {"y", top_left.y},
+                       {"width", size.x},
+                       {"height", size.y},
+                       {"fill", "none"},
+                       {"stroke", style::ink},
+                       {"stroke-width", 0.4}});
+}
+
+void draw_bar(Svg& svg, const ImagePanel& panel, Vector top_left, double width) {
+  const auto scope = svg.group("colour-bar");
+  const auto count = static_cast<int>(panel.colours.size() / 3);
+  const Vector size{width, bar_height};
+  draw_image(svg, to_png(panel.colours, count, 1, 3), top_left, size, Enlarged::smoothly);
+  draw_frame(svg, top_left, size);
+  const Axis axis = panel.axis({top_left.x, top_left.x + width});
+  draw_bottom_axis(svg, axis, top_left.y + bar_height);
+  draw_bottom_title(svg, axis, top_left.y + bar_height);
+}
+
+}  // namespace
+
+std::string map_png(const PixelMap& map, const ColourMap& colours,
+                    const std::function<std::uint8_t(double)>& tone) {
+  std::vector<std::uint8_t> pixels;
+  pixels.reserve(3 * map.values.size());
+  for (const double value : map.values) {
+    const Rgb& colour = std::isnan(value) ? not_known_colour : colours[tone(value)];
+    pixels.insert(pixels.end(), colour.begin(), colour.end());
+  }
+  return to_png(pixels, static_cast<int>(map.width), static_cast<int>(map.height), 3);
+}
+
+std::vector<std::uint8_t> scale_of(const ColourMap& colours) {
+  std::vector<std::uint8_t> scale;
+  for (const Rgb& colour : colours) scale.insert(scale.end(), colour.begin(), colour.end());
+  return scale;
+}
+
+double PanelSize::height() const {
+  return line_height * static_cast<double>(lines) + words_gap + image.y + bar_gap + bar_height +
+         bottom_axis_height;
+}
+
+PanelSize panel_size(const ImagePanel& panel, double width, double most_height) {
+  const double height = std::min(width * panel.aspect, most_height);
+  return {{height / panel.aspect, height}, lines_of(panel, width).size()};
+}
+
+void draw_panel(Svg& svg, const ImagePanel& panel, const PanelSize& size, Vector top_left,
+                double width) {
+  draw_words(svg, panel, top_left, width);
+  const Vector image{top_left.x,
+                     top_left.y + line_height * static_cast<double>(size.lines) + words_gap};
+  {
+    const auto scope = svg.group("picture");
+    draw_image(svg, panel.png, image, size.image, Enlarged::in_squares);
+    draw_frame(svg, image, size.image);
+  }
+  draw_bar(svg, panel, image + Vector{0, size.image.y + bar_gap}, size.image.x);
+}
+
+}  // namespace wander::figure

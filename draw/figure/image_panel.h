@@ -1,0 +1,39 @@
+// An image in a figure, with words above it and the scale of its colours below it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "draw/figure/axis.h"
+#include "draw/figure/colour_map.h"
+#include "draw/figure/image_maps.h"
+
+namespace wander::figure {
+
+struct ImagePanel {
+  std::vector<std::string> words;  // the first stands out
+  std::string png;
+  double aspect = 1;                  // height over width
+  std::vector<std::uint8_t> colours;  // of the scale from left to right: red, green and blue
+  std::function<Axis(Range page)> axis;
+};
+
+// Colours for numbers from `low` to `high`; one that is not known is grey.
+std::string map_png(const PixelMap& map, const ColourMap& colours,
+                    const std::function<std::uint8_t(double)>& tone);
+std::vector<std::uint8_t> scale_of(const ColourMap& colours);
+
+struct PanelSize {
+  Vector image;
+  std::size_t lines = 0;  // of words
+
+  double height() const;
+};
+// The image as wide as the room, if it is not higher than that.
+PanelSize panel_size(const ImagePanel& panel, double width, double most_height);
+void draw_panel(Svg& svg, const ImagePanel& panel, const PanelSize& size, Vector top_left,
+                double width);
+
+}  // namespace wander::figure
