@@ -11,6 +11,7 @@
 #include "lab/failure.h"
 #include "lab/nearest.h"
 #include "records/version.h"
+#include "scenes/format/mesh_file.h"
 
 namespace wander {
 
@@ -43,6 +44,19 @@ SceneDocument open_file(const std::string& source) {
   }
 }
 
+Triangles gallery_mesh(const std::string& file) {
+  for (const GalleryMesh& mesh : std::span(gallery_meshes, gallery_mesh_count))
+    if (mesh.file == file) return parse_obj(mesh.text);
+  throw MeshFileError("the gallery has no such mesh; save the scene beside its own");
+}
+
+MeshReader meshes_of(const std::string& source) {
+  if (source == standard_input) return no_mesh;
+  if (source.starts_with(gallery_prefix)) return gallery_mesh;
+  const std::filesystem::path folder = std::filesystem::path(source).parent_path();
+  return meshes_in(folder.empty() ? "." : folder);
+}
+
 }  // namespace
 
 bool is_scene(std::string_view source) {
@@ -57,7 +71,11 @@ SceneDocument open_scene(const std::string& source) {
   if (source == standard_input) return read_scene(std::cin, shown_name(source));
   if (!source.starts_with(gallery_prefix)) return open_file(source);
   const GalleryScene& scene = gallery_scene(std::string_view(source).substr(gallery_prefix.size()));
-  return parse_scene(scene.text, source);
+  return parse_scene(scene.text, source, gallery_mesh);
+}
+
+SceneDocument reopen_scene(const std::string& text, const std::string& source) {
+  return parse_scene(text, shown_name(source), meshes_of(source));
 }
 
 Provenance provenance_of(const SceneDocument& document, const std::string& command_line) {
@@ -76,6 +94,14 @@ std::vector<std::string> scene_warnings(const SceneDocument& document, const std
     lines.push_back(fmt::format("{}:{}:{}: {}: {}", shown_name(source), fault.line, fault.column,
                                 fault.pointer, fault.what));
   return lines;
+}
+
+std::vector<GalleryMesh> meshes_of(const GalleryScene& scene) {
+  std::vector<GalleryMesh> named;
+  const std::string_view text = scene.text;
+  for (const GalleryMesh& mesh : std::span(gallery_meshes, gallery_mesh_count))
+    if (text.find(fmt::format("\"{}\"", mesh.file)) != text.npos) named.push_back(mesh);
+  return named;
 }
 
 const GalleryScene& gallery_scene(std::string_view name) {

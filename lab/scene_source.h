@@ -23,6 +23,8 @@ std::string shown_name(const std::string& source);
 
 // Throws SceneFileError for an invalid scene, UsageError for an unknown name.
 SceneDocument open_scene(const std::string& source);
+// A scene of which a record has kept the text and where it came from, in which its meshes still lie.
+SceneDocument reopen_scene(const std::string& text, const std::string& source);
 
 Provenance provenance_of(const SceneDocument& document, const std::string& command_line);
 
@@ -31,5 +33,7 @@ std::vector<std::string> scene_warnings(const SceneDocument& document, const std
 
 // Throws UsageError with the nearest name.
 const GalleryScene& gallery_scene(std::string_view name);
+// Those that the scene names.
+std::vector<GalleryMesh> meshes_of(const GalleryScene& scene);
 
 }  // namespace wander

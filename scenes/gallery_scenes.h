@@ -1,4 +1,5 @@
-// The scenes that come with the program.  The build writes the definition from scenes/*.json.
+// The scenes that come with the program, and their meshes.  The build writes the definitions from
+// scenes/*.json and scenes/meshes/*.obj.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +11,15 @@ struct GalleryScene {
   const char* text;  // the scene file
 };
 
+struct GalleryMesh {
+  const char* file;  // as scenes call it: meshes/egg.obj
+  const char* text;
+};
+
 extern const GalleryScene gallery_scenes[];
 extern const std::size_t gallery_scene_count;
+
+extern const GalleryMesh gallery_meshes[];
+extern const std::size_t gallery_mesh_count;
 
 }  // namespace wander

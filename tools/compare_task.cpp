@@ -151,7 +151,7 @@ CompareTask continued(const CompareOptions& options, const Global& global,
   request.replicates = replicates;
   request.target = options.target.value_or(request.target);
   Plan plan = plan_of(request, global);
-  if (!scene) scene = parse_scene(request.scene_text, shown_name(request.scene_source));
+  if (!scene) scene = reopen_scene(request.scene_text, request.scene_source);
   CompareTask task{std::move(request), std::move(kept), with_paths_of(plan, *std::move(scene)),
                    std::move(plan)};
   examine_jobs(task.request, task, examination);

@@ -59,7 +59,7 @@ ExitCode merge_runs(const MergeTask& task, const Global& global) {
   std::optional<OutputDirectory> directory;
   if (!global.out.empty()) directory.emplace(global.out, global);
   const Checkpoint& first = task.parts.front().run;
-  const SceneDocument document = parse_scene(first.scene_text, shown_name(first.scene_source));
+  const SceneDocument document = reopen_scene(first.scene_text, first.scene_source);
   const Job job(document.scene, find_method(first.method), first.turned());
   Session session;
   session.threads = global.threads;

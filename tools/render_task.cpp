@@ -131,7 +131,7 @@ RenderTask continued(const RenderOptions& options, const Global& global) {
   if (is_new_budget) run.budget = options.budget;
   const Budget budget = parse_budget(run.budget);
   require_not_beyond(run, budget, run.budget);
-  if (!scene) scene = parse_scene(run.scene_text, shown_name(run.scene_source));
+  if (!scene) scene = reopen_scene(run.scene_text, run.scene_source);
   Job job(scene->scene, find_method(run.method), run.turned());
   say(job, scene->sha256);
   return {std::move(run), *std::move(scene), std::move(job), budget, is_new_budget};

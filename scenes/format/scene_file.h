@@ -8,13 +8,13 @@
 
 #include <filesystem>
 #include <iosfwd>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/description.h"
+#include "scenes/format/mesh_reader.h"
 #include "scenes/format/scene_file_fault.h"
 
 namespace wander {
@@ -35,10 +35,9 @@ class SceneFileError : public std::runtime_error {
   const std::vector<Fault> faults;
 };
 
-// The name stands for the file in messages; meshes lie in the folder, and a scene without one has
-// none.  All throw SceneFileError.
+// The name stands for the file in messages.  All throw SceneFileError.
 SceneDocument parse_scene(std::string text, std::string_view name,
-                          const std::optional<std::filesystem::path>& folder = std::nullopt);
+                          const MeshReader& read_mesh = no_mesh);
 SceneDocument read_scene(std::istream& stream, std::string_view name);
 SceneDocument read_scene_file(const std::filesystem::path& path);
 

@@ -16,26 +16,7 @@ namespace wander {
 
 namespace {
 
-namespace fs = std::filesystem;
-
 constexpr double largest_coordinate = 1e150;  // as in a scene
-
-// Throws MeshFileError.
-fs::path path_of(const std::string& file, const std::optional<fs::path>& folder) {
-  if (!folder)
-    throw MeshFileError(
-        "a scene that is no file has no folder to look for meshes in; save it beside them");
-  if (fs::path(file).is_absolute())
-    throw MeshFileError("the path is absolute; a mesh's path is relative to the scene");
-  std::error_code problem;
-  const fs::path root = fs::weakly_canonical(*folder, problem),
-                 path = fs::weakly_canonical(*folder / file, problem);
-  const auto [end_of_root, in_path] = std::ranges::mismatch(root, path);
-  if (problem || end_of_root != root.end())
-    throw MeshFileError(
-        "the path leads out of the scene's folder; meshes lie in it, or in folders in it");
-  return path;
-}
 
 using Point = glm::dvec3;
 
@@ -79,11 +60,11 @@ Triangles moved(Triangles triangles, const Transform& transform) {
 
 std::vector<JsonFault> SceneMeshes::read(const JsonDocument& document,
                                          const std::vector<JsonFault>& faults,
-                                         const std::optional<fs::path>& folder) {
+                                         const MeshReader& read_file) {
   std::vector<JsonFault> found;
   const auto shapes = document.find(document.root(), "shapes");
   if (!shapes || !(*shapes)->is_array() || faults.size() > json_limits.faults) return found;
-  std::map<fs::path, Triangles> files;  // a file may be named more than once
+  std::map<std::string, Triangles> files;  // a file may be named more than once
   for (const JsonMember& shape : document.children(*shapes)) {
     const auto file = document.find(shape.node, "file");
     const bool is_faulty = std::ranges::any_of(faults, [&](const JsonFault& fault) {
@@ -92,10 +73,9 @@ std::vector<JsonFault> SceneMeshes::read(const JsonDocument& document,
     if (!file || is_faulty || found.size() > json_limits.faults) continue;
     const auto mesh = std::get<description::Mesh>(build_shape_kind(*shape.node.value));
     try {
-      const fs::path path = path_of(mesh.file, folder);
-      if (!files.contains(path)) files.emplace(path, read_mesh(path));
+      if (!files.contains(mesh.file)) files.emplace(mesh.file, read_file(mesh.file));
       meshes_[shape.node.value] =
-          std::make_shared<const Triangles>(moved(files.at(path), transform_of(mesh)));
+          std::make_shared<const Triangles>(moved(files.at(mesh.file), transform_of(mesh)));
     } catch (const MeshFileError& error) {
       found.push_back(
           document.fault(*file, fmt::format("{}: {}", excerpt(mesh.file), error.what())));

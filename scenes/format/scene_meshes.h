@@ -1,26 +1,22 @@
-// The mesh files that a scene names.
-//
-// A path is relative to the folder of the scene and stays in it: neither `..` nor a symbolic link
-// leads out.
+// The meshes that a scene names.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/geometry/triangles.h"
 #include "scenes/format/json_document.h"
+#include "scenes/format/mesh_reader.h"
 
 namespace wander {
 
 class SceneMeshes {
  public:
   // Reads those of shapes without a fault so far, and puts them where their transforms say; returns
-  // the faults.  A scene that is no file has no folder.
+  // the faults.
   std::vector<JsonFault> read(const JsonDocument& document, const std::vector<JsonFault>& faults,
-                              const std::optional<std::filesystem::path>& folder);
+                              const MeshReader& read_file);
 
   // Of a shape of the document that was read.
   std::shared_ptr<const Triangles> of(const nlohmann::ordered_json& shape) const {

@@ -32,9 +32,10 @@ TEST_F(Installation, HoldsTheProgramAndWhatItShips) {
   ASSERT_EQ(installed_.exit_code, 0) << installed_.err;
   for (const char* file :
        {"usr/bin/wander", "usr/share/wanderlight/schema/scene.schema.json",
-        "usr/share/wanderlight/scenes/slit.json", "usr/share/man/man1/wander.1",
-        "usr/share/doc/wanderlight/LICENSE", "usr/share/bash-completion/completions/wander",
-        "usr/share/zsh/site-functions/_wander", "usr/share/fish/vendor_completions.d/wander.fish"})
+        "usr/share/wanderlight/scenes/slit.json", "usr/share/wanderlight/scenes/meshes/ring.obj",
+        "usr/share/man/man1/wander.1", "usr/share/doc/wanderlight/LICENSE",
+        "usr/share/bash-completion/completions/wander", "usr/share/zsh/site-functions/_wander",
+        "usr/share/fish/vendor_completions.d/wander.fish"})
     EXPECT_GT(fs::file_size(folder / file), 100U) << file;
   EXPECT_EQ(shell("usr/bin/wander gallery slit").out,
             contents(folder / "usr/share/wanderlight/scenes/slit.json"));
@@ -51,8 +52,9 @@ TEST_F(Installation, BashCompletesVerbsOptionsMethodsAndScenes) {
   EXPECT_EQ(offered("wander render box.json --method=mm"), "mmlt ");
   EXPECT_EQ(offered("wander trace box.json -m "), "mlt mmlt ");
   EXPECT_EQ(offered("wander compare box.json -m bdpt,ml"), "bdpt,mlt ");
-  EXPECT_EQ(offered("wander gallery sl"), "slit ");
-  EXPECT_EQ(offered("wander render gallery:sl"), "slit ");  // bash splits words at the colon
+  EXPECT_EQ(offered("wander gallery mirror-"), "mirror-dish ");
+  EXPECT_EQ(offered("wander render gallery:mirror-"),
+            "mirror-dish ");  // bash splits words at the colon
   EXPECT_EQ(offered("wander render bo"), "box.json ");
   EXPECT_EQ(offered("wander render box.json -o "), " ");  // files, by bash itself
 }
@@ -107,7 +109,7 @@ TEST_F(Installation, ZshAndFishTakeTheirScripts) {
   EXPECT_EQ(offered_by_fish("wander rend"), "render\n");
   EXPECT_EQ(offered_by_fish("wander render box.json --method ml"), "mlt\n");
   EXPECT_EQ(offered_by_fish("wander trace --chai"), "--chains\n");
-  EXPECT_EQ(offered_by_fish("wander gallery sli"), "slit\n");
+  EXPECT_EQ(offered_by_fish("wander gallery mirror-"), "mirror-dish\n");
 }
 
 TEST_F(Installation, TheManualPageIsThatOfTheProgram) {
