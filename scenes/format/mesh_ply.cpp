@@ -271,7 +271,8 @@ Triangles parse(std::string_view text, std::vector<std::array<double, 3>>* norma
 
 Triangles parse_ply(std::string_view text) { return parse(text, nullptr); }
 
-Triangles parse_ply(std::string_view text, std::vector<std::array<double, 3>>& normals) {
+Triangles parse_ply_with_normals(std::string_view text,
+                                 std::vector<std::array<double, 3>>& normals) {
   return parse(text, &normals);
 }
 

@@ -27,8 +27,9 @@ int ImportContext::references_within(const XmlElement& element, int so_far) {
   int most = 0;
   for (const XmlElement& child : element.children) {
     const bool refers = child.tag == "ref";
-    const XmlElement* object = refers ? objects_[child.attribute("id")] : &child;
-    if (object == nullptr) continue;
+    const auto found = objects_.find(child.attribute("id"));
+    if (refers && found == objects_.end()) continue;  // a fault of whoever follows it
+    const XmlElement* object = refers ? found->second : &child;
     if (refers && so_far == most_references) {
       diagnosis.fault(child,
                       fmt::format("objects refer to each other in a circle, or more than {} deep",

@@ -97,7 +97,9 @@ glm::dvec3 Plugin::point(std::string_view name, glm::dvec3 otherwise) {
 
 glm::dmat4 Plugin::transform(std::string_view name) {
   const XmlElement* value = take(name, {"transform"});
-  return value == nullptr ? glm::dmat4(1) : transform_of(*value, context_.diagnosis);
+  if (value == nullptr) return glm::dmat4(1);
+  return transform_of(*value, context_.is_old() ? RotationAxis::normalized : RotationAxis::as_given,
+                      context_.diagnosis);
 }
 
 Colour Plugin::reflectance(std::string_view name, double otherwise) {

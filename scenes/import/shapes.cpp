@@ -146,9 +146,9 @@ class ShapeReader {
     const Vector center = shape.point("center", {0, 0, 0});
     const double radius = shape.number("radius", 1);
     if (!(radius > 0)) return diagnosis().fault(shape.where("radius"), "a radius is > 0");
-    matrix_ = matrix_ * translation(center) * scaling(Vector(radius));
     const bool inwards = mirrors(matrix_) != turned_;
-    const double size = std::cbrt(std::abs(glm::determinant(glm::dmat3(matrix_))));
+    matrix_ = matrix_ * translation(center) * scaling(Vector(radius));
+    const double size = (length_of(0) + length_of(1) + length_of(2)) / 3;
     if (!is_similarity(size)) {
       diagnosis().inexact(shape.element(), "an ellipsoid",
                           fmt::format("a mesh of {} sides", sides_of_round));
@@ -162,12 +162,16 @@ class ShapeReader {
         inwards ? PlacedSurface::Enclosure::front_inside : PlacedSurface::Enclosure::front_outside);
   }
 
+  double length_of(int axis) const {
+    return std::hypot(matrix_[axis].x, matrix_[axis].y, matrix_[axis].z);
+  }
+
   // Up to the digits of a file.
   bool is_similarity(double size) const {
     constexpr double slack = 1e-5;
     for (int i = 0; i < 3; ++i)
       for (int j = i; j < 3; ++j) {
-        const double product = glm::dot(Vector(matrix_[i]), Vector(matrix_[j])) / (size * size);
+        const double product = glm::dot(Vector(matrix_[i]) / size, Vector(matrix_[j]) / size);
         if (!(std::abs(product - (i == j ? 1 : 0)) < slack)) return false;
       }
     return true;
@@ -201,7 +205,7 @@ class ShapeReader {
       std::string bytes{std::istreambuf_iterator<char>(stream), {}};
       std::vector<std::array<double, 3>> normals;
       const bool is_ply = shape.type() == "ply";
-      const Triangles mesh = is_ply ? parse_ply(bytes, normals) : parse_obj(bytes);
+      const Triangles mesh = is_ply ? parse_ply_with_normals(bytes, normals) : parse_obj(bytes);
       MeshShading shading;
       if (!flat) shading = is_ply ? shading_of_ply(mesh, normals) : shading_of_obj(mesh, bytes);
       if (shading.normals == MeshShading::Normals::smooth)

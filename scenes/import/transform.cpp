@@ -19,7 +19,7 @@ using Vector = glm::dvec3;
 
 class TransformReader {
  public:
-  explicit TransformReader(Diagnosis& diagnosis) : diagnosis_(diagnosis) {}
+  TransformReader(RotationAxis axis, Diagnosis& diagnosis) : axis_(axis), diagnosis_(diagnosis) {}
 
   Matrix of(const XmlElement& transform) {
     Matrix result(1);
@@ -75,7 +75,9 @@ class TransformReader {
       return Matrix(1);
     }
     const auto [sine, cosine] = sine_and_cosine(*degrees);
-    const Vector a = axis / length;
+    const Vector a = axis_ == RotationAxis::normalized || is_one(length) ? axis / length : axis;
+    if (axis_ == RotationAxis::as_given && !is_one(length))
+      diagnosis_.note(step, "an axis whose length is not 1 distorts, as it does in Mitsuba 3");
     Matrix result(1);
     for (int column = 0; column < 3; ++column) {
       Vector unit(0);
@@ -86,6 +88,8 @@ class TransformReader {
     }
     return result;
   }
+
+  static bool is_one(double length) { return std::abs(length - 1) < 1e-5; }  // digits of a file
 
   // Exact for quarters of a turn, for walls that meet.
   static std::pair<double, double> sine_and_cosine(double degrees) {
@@ -154,6 +158,7 @@ class TransformReader {
     return {sign * (n.x * n.x * a) + 1, sign * (n.x * n.y * a), -sign * n.x};
   }
 
+  RotationAxis axis_;
   Diagnosis& diagnosis_;
 };
 
@@ -185,8 +190,8 @@ glm::dvec3 vector_of(const XmlElement& element, glm::dvec3 otherwise, Diagnosis&
   return result;
 }
 
-glm::dmat4 transform_of(const XmlElement& transform, Diagnosis& diagnosis) {
-  return TransformReader(diagnosis).of(transform);
+glm::dmat4 transform_of(const XmlElement& transform, RotationAxis axis, Diagnosis& diagnosis) {
+  return TransformReader(axis, diagnosis).of(transform);
 }
 
 }  // namespace wander

@@ -107,7 +107,8 @@ class Loader {
     if (!stream.is_open() || stream.bad()) return refuse("the file cannot be read");
     if (document.text.starts_with(byte_order_mark)) document.text.erase(0, byte_order_mark.size());
     const pugi::xml_parse_result result = document.xml.load_buffer(
-        document.text.data(), document.text.size(), pugi::parse_default, pugi::encoding_utf8);
+        document.text.data(), document.text.size(), pugi::parse_default | pugi::parse_trim_pcdata,
+        pugi::encoding_utf8);
     if (result && first_bad_byte(document.text))
       return refuse("the file is not in UTF-8; save it so");
     if (result) return true;

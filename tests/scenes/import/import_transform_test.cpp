@@ -20,11 +20,12 @@ XmlElement element(const std::string& tag,
 }
 
 // Where the steps lead a point, done one after the other.
-Vector moved(const std::vector<XmlElement>& steps, Vector p) {
+Vector moved(const std::vector<XmlElement>& steps, Vector p,
+             RotationAxis axis = RotationAxis::normalized) {
   XmlElement transform = element("transform", {});
   transform.children = steps;
   Diagnosis diagnosis(Fidelity::exact);
-  const glm::dmat4 matrix = transform_of(transform, diagnosis);
+  const glm::dmat4 matrix = transform_of(transform, axis, diagnosis);
   diagnosis.require_sound();
   return Vector(matrix * glm::dvec4(p, 1));
 }
@@ -76,6 +77,14 @@ TEST(ImportedTransform, TurnsRightHanded) {
       {0, 1, 0});
 }
 
+// Its matrix for this axis has the rows (1, 1, 1), (1, 1, -1) and (-1, 1, 0).
+TEST(ImportedTransform, DistortsAsMitsuba3Does) {
+  const auto turn = element("rotate", {{"x", "1"}, {"y", "1"}, {"angle", "90"}});
+  expect_point(moved({turn}, {1, 2, 4}, RotationAxis::as_given), {7, -1, 1});
+  const double s = std::sqrt(0.5);
+  expect_point(moved({turn}, {0, 0, 1}), {s, -s, 0});
+}
+
 TEST(ImportedTransform, TurnsQuartersToTheLastBit) {
   for (const char* angle : {"90", "-270", "450"})
     EXPECT_EQ(moved({element("rotate", {{"x", "1"}, {"angle", angle}})}, {0, 1, 0}),
@@ -121,7 +130,7 @@ TEST(ImportedTransform, ThatOverflowsIsRefused) {
   const auto large = element("scale", {{"value", "1e200"}});
   transform.children = {large, large};
   Diagnosis diagnosis(Fidelity::exact);
-  transform_of(transform, diagnosis);
+  transform_of(transform, RotationAxis::normalized, diagnosis);
   EXPECT_TRUE(diagnosis.has_faults());
 }
 
