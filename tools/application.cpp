@@ -46,6 +46,7 @@ void build_application(CLI::App& app, Global& global) {
   add_check(app, global);
   add_compare(app, global);
   add_merge(app, global);
+  add_import(app, global);
   for (CLI::App* verb : app.get_subcommands({})) verb->group("Verbs");
 }
 

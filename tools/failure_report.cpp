@@ -11,6 +11,7 @@
 #include "records/atomic_file.h"
 #include "records/run_record.h"
 #include "scenes/format/scene_file.h"
+#include "scenes/import/import_fault.h"
 #include "tools/console.h"
 #include "tools/examination.h"
 
@@ -21,12 +22,13 @@ namespace {
 struct Told {
   ExitCode code;
   std::string message;
-  std::vector<Fault> faults;  // of a scene; the message has their places
+  nlohmann::ordered_json faults;  // of a scene; the message has their places
 };
 
 ExitCode exit_code_of(const std::exception& problem) {
   if (const auto* failure = dynamic_cast<const CommandFailure*>(&problem)) return failure->code();
   if (dynamic_cast<const SceneFileError*>(&problem) != nullptr) return ExitCode::invalid_input;
+  if (dynamic_cast<const ImportError*>(&problem) != nullptr) return ExitCode::invalid_input;
   if (dynamic_cast<const RunFileError*>(&problem) != nullptr) return ExitCode::invalid_input;
   return ExitCode::failure;
 }
@@ -37,9 +39,20 @@ std::string message_of(const std::exception& problem) {
 }
 
 Told told(const std::exception& problem) {
-  Told told{exit_code_of(problem), message_of(problem), {}};
+  Told told{exit_code_of(problem), message_of(problem), nlohmann::ordered_json::array()};
   if (const auto* invalid = dynamic_cast<const SceneFileError*>(&problem))
-    told.faults = invalid->faults;
+    for (const Fault& fault : invalid->faults)
+      told.faults.push_back({{"line", fault.line},
+                             {"column", fault.column},
+                             {"pointer", fault.pointer},
+                             {"what", fault.what}});
+  if (const auto* invalid = dynamic_cast<const ImportError*>(&problem))
+    for (const ImportFault& fault : invalid->faults)
+      told.faults.push_back({{"file", fault.file},
+                             {"line", fault.line},
+                             {"column", fault.column},
+                             {"path", fault.path},
+                             {"what", fault.what}});
   return told;
 }
 
@@ -71,11 +84,7 @@ nlohmann::ordered_json error_document(const std::vector<Told>& all) {
   nlohmann::ordered_json faults = nlohmann::ordered_json::array();
   for (const Told& one : all) {
     message += (message.empty() ? "" : "\n") + one.message;
-    for (const Fault& fault : one.faults)
-      faults.push_back({{"line", fault.line},
-                        {"column", fault.column},
-                        {"pointer", fault.pointer},
-                        {"what", fault.what}});
+    faults.insert(faults.end(), one.faults.begin(), one.faults.end());
   }
   return {{"error", {{"message", message}, {"faults", faults}}}};
 }

@@ -60,5 +60,6 @@ void add_plot(CLI::App& app, Global& global);
 void add_check(CLI::App& app, Global& global);
 void add_compare(CLI::App& app, Global& global);
 void add_merge(CLI::App& app, Global& global);
+void add_import(CLI::App& app, Global& global);
 
 }  // namespace wander

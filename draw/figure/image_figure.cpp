@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/film_statistics.h"
+#include "core/image_shape.h"
 #include "core/tint.h"
 #include "draw/figure/block.h"
 #include "draw/figure/image_maps.h"
@@ -13,17 +14,19 @@
 #include "draw/figure/style.h"
 #include "draw/figure/tones.h"
 #include "lab/wording.h"
-#include "records/png.h"
 #include "records/tone.h"
 #include "statistics/number_text.h"
 
 namespace wander::figure {
 namespace {
 
-constexpr double gap = 14, most_height = 330;
-constexpr int points_per_tick = 34;
+// Labels at the ends of a scale stand out by the inset.
+constexpr double gap = 18, inset = 4, most_height = 330;
 
-int ticks_in(Range page) { return std::max(2, static_cast<int>(page.width() / points_per_tick)); }
+// Labels take so much of the page.
+int ticks_in(Range page, double points) {
+  return std::max(2, static_cast<int>(page.width() / points));
+}
 
 // One image and, if there is one, the other that it is held against.
 struct Row {
@@ -57,16 +60,16 @@ std::vector<std::string> words_of(const LabelledFilm& image) {
 
 ImagePanel picture_panel(const LabelledFilm& image, const Quantity& quantity, double white) {
   const FilmEstimate shown = averaged(image.rendering.film);
-  const int channels = channels_of(shown.shape);
+  const ImageShape size(shown.shape);
   std::vector<std::uint8_t> greys;
   for (int k = 0; k < 256; ++k)
     greys.insert(greys.end(), 3, srgb_byte(static_cast<double>(k) / 255));
-  const Quantity scale{(channels > 1 ? "luminance of " : "") + quantity.name, quantity.unit};
+  const Quantity scale{(size.channels > 1 ? "luminance of " : "") + quantity.name, quantity.unit};
   return {words_of(image),
-          to_png(srgb_bytes(shown.value, white), shown.shape[1], shown.shape[0], channels),
+          picture_png(srgb_bytes(shown.value, white), size.width, size.height, size.channels),
           static_cast<double>(image.rendering.film.shape[0]) / image.rendering.film.shape[1], greys,
           [=](Range page) {
-            return make_axis(scale, {0, white}, page, ticks_in(page));
+            return make_axis(scale, {0, white}, page, ticks_in(page, 34));
           }};
 }
 
@@ -81,10 +84,11 @@ double aspect_of(const PixelMap& map) {
 }
 
 ImagePanel error_panel(const PixelMap& map, const FilmEstimate& film, const ToneScale& scale) {
-  std::string words = fmt::format(
-      "of the film {}; reliable are {} of {}", percent(relative_error(film)),
-      percent(static_cast<double>(reliable_bins(film)) / static_cast<double>(film.value.size())),
-      channels_of(film.shape) > 1 ? "its numbers" : "its pixels");
+  const double share =
+      static_cast<double>(reliable_bins(film)) / static_cast<double>(film.value.size());
+  std::string words =
+      fmt::format("{} of the film; {} of its {} are reliable", percent(relative_error(film)),
+                  percent(share), channels_of(film.shape) > 1 ? "numbers" : "pixels");
   if (has_gaps(map)) words += "; grey: not known";
   return {{"relative standard error", words},
           map_png(thinned(map), light_colours(), [=](double value) { return scale.tone(value); }),
@@ -112,11 +116,11 @@ double largest_shown(const std::vector<PixelMap>& maps) {
 std::string agreement(const Row& row, const PixelMap& map) {
   const FilmComparison c = film_comparison(row.image->rendering.film, row.other->rendering.film);
   if (c.bins == 0) return "no pixel is reliable in both: nothing can be compared";
-  std::string text =
-      fmt::format("χ² / {} = {} over {} reliable in both; largest |z| {}",
-                  channels_of(row.image->rendering.film.shape) > 1 ? "number" : "pixel",
-                  number_text(c.chi2_per_degree), count_in_words(static_cast<double>(c.bins)),
-                  number_text(c.largest_z));
+  std::string text = fmt::format(
+      "χ²\u00a0/\u00a0{}\u00a0=\u00a0{} over {} reliable in both; largest |z|\u00a0=\u00a0{}",
+      channels_of(row.image->rendering.film.shape) > 1 ? "number" : "pixel",
+      number_text(c.chi2_per_degree), count_in_words(static_cast<double>(c.bins)),
+      number_text(c.largest_z));
   return has_gaps(map) ? text + "; grey: not reliable" : text;
 }
 
@@ -131,7 +135,7 @@ ImagePanel difference_panel(const Row& row, const PixelMap& map, double most) {
           scale_of(difference_colours()),
           [most](Range page) {
             return make_axis({"z: difference / standard error of both", ""}, {-most, most}, page,
-                             ticks_in(page));
+                             ticks_in(page, 18));
           }};
 }
 
@@ -160,12 +164,13 @@ std::vector<ImagePanel> map_panels(const std::vector<Row>& rows) {
 // ---- the page
 
 Block row_block(ImagePanel left, ImagePanel right, double page_width) {
-  const double width = (page_width - gap) / 2;
+  const double width = (page_width - gap - 2 * inset) / 2;
   PanelSize of_left = panel_size(left, width, most_height),
             of_right = panel_size(right, width, most_height);
   of_left.lines = of_right.lines = std::max(of_left.lines, of_right.lines);
   return {"", of_left.height(),
           [=, left = std::move(left), right = std::move(right)](Svg& svg, Vector top_left) {
+            top_left.x += inset;
             draw_panel(svg, left, of_left, top_left, width);
             draw_panel(svg, right, of_right, top_left + Vector{width + gap, 0}, width);
           }};

@@ -16,10 +16,10 @@ namespace wander::figure {
 
 struct ImageFigureOptions {
   std::string title;
-  Quantity value{"value", ""};            // of a pixel
-  std::optional<LabelledFilm> reference;  // which all are held against, and which is drawn last
-  double exposure = 0;                    // in stops (records/tone.h)
-  std::optional<double> width{};          // of the page, in points
+  Quantity value{"value", ""};              // of a pixel
+  std::optional<LabelledFilm> reference{};  // which all are held against, and which is drawn last
+  double exposure = 0;                      // in stops (records/tone.h)
+  std::optional<double> width{};            // of the page, in points
 };
 
 // An SVG document.  At least one image, all of one shape; the first of two without a reference is

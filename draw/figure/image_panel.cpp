@@ -11,6 +11,7 @@ namespace wander::figure {
 namespace {
 
 constexpr double line_height = 9, words_gap = 4, bar_gap = 5, bar_height = 6;
+constexpr std::size_t enough_across = 1024;  // pixels of the longer side
 constexpr Rgb not_known_colour{0xb0, 0xb0, 0xb0};
 
 std::vector<std::string> lines_of(const ImagePanel& panel, double width) {
@@ -47,7 +48,7 @@ void draw_bar(Svg& svg, const ImagePanel& panel, Vector top_left, double width) 
   const auto scope = svg.group("colour-bar");
   const auto count = static_cast<int>(panel.colours.size() / 3);
   const Vector size{width, bar_height};
-  draw_image(svg, to_png(panel.colours, count, 1, 3), top_left, size, Enlarged::smoothly);
+  draw_image(svg, to_png(panel.colours, count, 1, 3), top_left, size);
   draw_frame(svg, top_left, size);
   const Axis axis = panel.axis({top_left.x, top_left.x + width});
   draw_bottom_axis(svg, axis, top_left.y + bar_height);
@@ -55,6 +56,21 @@ void draw_bar(Svg& svg, const ImagePanel& panel, Vector top_left, double width) 
 }
 
 }  // namespace
+
+std::string picture_png(std::span<const std::uint8_t> pixels, std::size_t width, std::size_t height,
+                        std::size_t channels) {
+  const std::size_t times = std::max<std::size_t>(1, enough_across / std::max(width, height));
+  std::vector<std::uint8_t> enlarged;
+  enlarged.reserve(pixels.size() * times * times);
+  for (std::size_t y = 0; y < height * times; ++y)
+    for (std::size_t x = 0; x < width * times; ++x) {
+      const auto pixel =
+          pixels.begin() + static_cast<std::ptrdiff_t>((y / times * width + x / times) * channels);
+      enlarged.insert(enlarged.end(), pixel, pixel + static_cast<std::ptrdiff_t>(channels));
+    }
+  return to_png(enlarged, static_cast<int>(width * times), static_cast<int>(height * times),
+                static_cast<int>(channels));
+}
 
 std::string map_png(const PixelMap& map, const ColourMap& colours,
                     const std::function<std::uint8_t(double)>& tone) {
@@ -64,7 +80,7 @@ std::string map_png(const PixelMap& map, const ColourMap& colours,
     const Rgb& colour = std::isnan(value) ? not_known_colour : colours[tone(value)];
     pixels.insert(pixels.end(), colour.begin(), colour.end());
   }
-  return to_png(pixels, static_cast<int>(map.width), static_cast<int>(map.height), 3);
+  return picture_png(pixels, map.width, map.height, 3);
 }
 
 std::vector<std::uint8_t> scale_of(const ColourMap& colours) {
@@ -90,7 +106,7 @@ void draw_panel(Svg& svg, const ImagePanel& panel, const PanelSize& size, Vector
                      top_left.y + line_height * static_cast<double>(size.lines) + words_gap};
   {
     const auto scope = svg.group("picture");
-    draw_image(svg, panel.png, image, size.image, Enlarged::in_squares);
+    draw_image(svg, panel.png, image, size.image);
     draw_frame(svg, image, size.image);
   }
   draw_bar(svg, panel, image + Vector{0, size.image.y + bar_gap}, size.image.x);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct ImagePanel {
   std::function<Axis(Range page)> axis;
 };
 
+// Of pixels with one channel or three.  An image of few pixels has each of them several times, for
+// what is drawn larger than it is would be smoothed.
+std::string picture_png(std::span<const std::uint8_t> pixels, std::size_t width, std::size_t height,
+                        std::size_t channels);
 // Colours for numbers from `low` to `high`; one that is not known is grey.
 std::string map_png(const PixelMap& map, const ColourMap& colours,
                     const std::function<std::uint8_t(double)>& tone);

@@ -46,7 +46,7 @@ void draw_tones(Svg& svg, std::span<const double> values, const PlaneGrid& grid,
   for (const double value : values) tones.push_back(scale.tone(value));
   const auto scope = svg.group("tones");
   draw_image(svg, to_png(tones, grid.columns(), grid.rows(), colours), {low.x, high.y},
-             {high.x - low.x, low.y - high.y}, Enlarged::smoothly);
+             {high.x - low.x, low.y - high.y});
 }
 
 void draw_tone_legend(Svg& svg, const ToneScale& scale, const ColourMap& colours,
@@ -56,7 +56,7 @@ void draw_tone_legend(Svg& svg, const ToneScale& scale, const ColourMap& colours
   std::vector<std::uint8_t> tones(colours.size());
   std::iota(tones.begin(), tones.end(), std::uint8_t{0});
   draw_image(svg, to_png(tones, static_cast<int>(tones.size()), 1, colours), top_left,
-             {width, bar_height}, Enlarged::smoothly);
+             {width, bar_height});
   const Axis axis = make_log_axis(quantity, scale.domain, {top_left.x, top_left.x + width});
   draw_bottom_axis(svg, axis, top_left.y + bar_height);
   draw_bottom_title(svg, axis, top_left.y + bar_height);

@@ -6,9 +6,11 @@
 // file is too small to hold.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 #include "core/geometry/triangles.h"
 
@@ -22,6 +24,9 @@ struct MeshFileError : std::runtime_error {
 // All throw MeshFileError.
 Triangles parse_obj(std::string_view text);
 Triangles parse_ply(std::string_view text);
+// And the normals of its points, of any length; as many as points, or none.
+Triangles parse_ply_with_normals(std::string_view text,
+                                 std::vector<std::array<double, 3>>& normals);
 // By the ending of the name.
 Triangles read_mesh(const std::filesystem::path& path);
 

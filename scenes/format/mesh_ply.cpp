@@ -164,7 +164,8 @@ class BinaryValues {
 template <class Values>
 class PlyReader {
  public:
-  explicit PlyReader(Values values) : values_(std::move(values)) {}
+  PlyReader(Values values, std::vector<std::array<double, 3>>* normals)
+      : values_(std::move(values)), normals_(normals) {}
 
   Triangles triangles(const Header& header) && {
     bool has_points = false, has_faces = false;
@@ -197,7 +198,7 @@ class PlyReader {
 
  private:
   void read(const Element& element) {
-    std::array<double, 3> point{};
+    std::array<double, 3> point{}, normal{};
     for (const Property& property : element.properties) {
       if (property.count) {
         read_list(property, element.name == "face" && (property.name == "vertex_indices" ||
@@ -207,10 +208,19 @@ class PlyReader {
       const double value = values_.next(*property.type);
       if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z')
         point[static_cast<std::size_t>(property.name[0] - 'x')] = value;
+      if (is_normal(property)) normal[static_cast<std::size_t>(property.name[1] - 'x')] = value;
     }
     if (element.name != "vertex") return;
     for (const double x : point) values_.checked(x);
     result_.points.push_back(point);
+    if (normals_ == nullptr || std::ranges::none_of(element.properties, is_normal)) return;
+    for (const double x : normal) values_.checked(x);
+    normals_->push_back(normal);
+  }
+
+  static bool is_normal(const Property& property) {
+    return !property.count && property.name.size() == 2 && property.name[0] == 'n' &&
+           property.name[1] >= 'x' && property.name[1] <= 'z';
   }
 
   void refuse_without_coordinates(const Element& vertex) const {
@@ -244,17 +254,26 @@ class PlyReader {
   }
 
   Values values_;
+  std::vector<std::array<double, 3>>* normals_;  // null: not asked for
   Triangles result_;
   std::vector<std::int32_t> face_;
 };
 
-}  // namespace
-
-Triangles parse_ply(std::string_view text) {
+Triangles parse(std::string_view text, std::vector<std::array<double, 3>>* normals) {
   MeshText lines(text);
   const Header header = HeaderReader(lines).header();
-  if (header.encoding == Encoding::ascii) return PlyReader(AsciiValues(lines)).triangles(header);
-  return PlyReader(BinaryValues(lines.rest(), *header.encoding)).triangles(header);
+  if (header.encoding == Encoding::ascii)
+    return PlyReader(AsciiValues(lines), normals).triangles(header);
+  return PlyReader(BinaryValues(lines.rest(), *header.encoding), normals).triangles(header);
+}
+
+}  // namespace
+
+Triangles parse_ply(std::string_view text) { return parse(text, nullptr); }
+
+Triangles parse_ply_with_normals(std::string_view text,
+                                 std::vector<std::array<double, 3>>& normals) {
+  return parse(text, &normals);
 }
 
 }  // namespace wander

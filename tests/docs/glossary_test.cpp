@@ -92,7 +92,7 @@ class Helps : public CommandLine {};
 TEST_F(Helps, UseTheWordsOfTheGlossary) {
   const Words unwanted = glossary().unwanted;
   for (const char* verb :
-       {"", "render", "trace", "compare", "check", "plot", "inspect", "gallery", "merge"})
+       {"", "render", "trace", "compare", "check", "plot", "inspect", "gallery", "merge", "import"})
     EXPECT_EQ(found_in(wander(std::string(verb) + " --help").out, unwanted), Words{}) << verb;
 }
 

@@ -28,7 +28,7 @@ TEST_F(CommandLine, HelpNamesEveryVerbThatExistsAndNoOther) {
   EXPECT_EQ(help.exit_code, 0);
   EXPECT_EQ(help.err, "");
   for (const char* word : {"render", "trace", "compare", "inspect", "gallery", "plot", "check",
-                           "merge", "Exit codes", "130"})
+                           "merge", "import", "Exit codes", "130"})
     EXPECT_HAS(help.out, word);
 }
 
@@ -40,7 +40,7 @@ TEST_F(CommandLine, WithoutAVerbTheProgramExplainsItself) {
 
 TEST_F(CommandLine, EveryVerbHasHelpWithAnExample) {
   for (const std::string verb :
-       {"render", "trace", "compare", "inspect", "gallery", "plot", "check", "merge"}) {
+       {"render", "trace", "compare", "inspect", "gallery", "plot", "check", "merge", "import"}) {
     const Outcome help = wander(verb + " --help");
     EXPECT_EQ(help.exit_code, 0) << verb;
     EXPECT_HAS(help.out, "wander " + verb);

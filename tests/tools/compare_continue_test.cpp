@@ -50,7 +50,7 @@ class ContinuingComparison : public CompareCommand {
 
 // SIGKILL at random moments, from the start of the program; then as a user would go on.
 TEST_F(ContinuingComparison, KilledAnywhereItHasTheNumbersOfOneThatNeverStopped) {
-  const std::string all = "box.json -m bdpt,mlt,mmlt -b 20k,60k --replicates 8 -q -o ";
+  const std::string all = "box.json -m bdpt,mlt,mmlt -b 10k,30k --replicates 8 -q -o ";
   ASSERT_EQ(compare(all + "whole").exit_code, 0);
   std::mt19937_64 random(1);
   int killed = 0;

@@ -19,7 +19,7 @@ class Continuing : public KilledRuns {
 
 TEST_F(Continuing, KilledAnywhereItHasTheSameBits) {
   for (const char* method : {"bdpt", "mlt", "pssmlt", "mmlt --precision float"})
-    expect_same_after_kills(method, 4, 1);
+    expect_same_after_kills(method, "1M", 4, 1);
 }
 
 TEST_F(Continuing, AnInterruptedRunGoesOnToItsEnd) {

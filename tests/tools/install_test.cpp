@@ -83,7 +83,7 @@ TEST_F(Installation, ShellsCompleteTheWordsOfOptions) {
 
 TEST_F(Installation, EveryOptionOfEveryVerbIsCompleted) {
   for (const std::string verb :
-       {"render", "trace", "compare", "inspect", "gallery", "plot", "check", "merge"}) {
+       {"render", "trace", "compare", "inspect", "gallery", "plot", "check", "merge", "import"}) {
     const std::string options =
         shell("\"$WANDER\" " + verb +
               " --help | grep -oE '^  (-.,)?--[a-z-]+' | grep -oE -- '--.*'")

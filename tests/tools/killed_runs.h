@@ -26,9 +26,10 @@ class KilledRuns : public CommandLine {
   }
 
   // SIGKILL after so many seconds, from the start of the program; then as a user would go on.
-  void expect_same_after_kills(const std::string& method, int kills, std::uint64_t seed) {
+  void expect_same_after_kills(const std::string& method, const std::string& samples, int kills,
+                               std::uint64_t seed) {
     SCOPED_TRACE(method);
-    const std::string run = "render box.json -b 2M -q -m " + method;
+    const std::string run = "render box.json -b " + samples + " -q -m " + method;
     ASSERT_EQ(wander(run + " -o whole --force").exit_code, 0);
     fs::remove_all(folder / "cut");
     std::mt19937_64 random(seed);

@@ -1,0 +1,109 @@
+#include "scenes/import/colour.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scenes/format/json_text.h"
+#include "scenes/import/number_words.h"
+#include "scenes/import/spectrum.h"
+#include "scenes/import/texture.h"
+
+namespace wander {
+
+namespace {
+
+Colour grey(double value) { return {value, value, value}; }
+
+// #rrggbb
+std::optional<Colour> hexadecimal(std::string_view text) {
+  if (text.size() != 7 || text[0] != '#') return {};
+  Colour result{};
+  for (std::size_t i = 1; i < 7; ++i) {
+    const auto digit =
+        std::string_view("0123456789abcdef").find(static_cast<char>(std::tolower(text[i])));
+    if (digit == std::string_view::npos) return {};
+    result[(i - 1) / 2] = 16 * result[(i - 1) / 2] + static_cast<double>(digit);
+  }
+  for (double& channel : result) channel /= 255;
+  return result;
+}
+
+std::optional<Colour> one_or_three(std::string_view text) {
+  if (const auto colour = hexadecimal(text)) return colour;
+  const auto numbers = numbers_in(text);
+  if (!numbers || (numbers->size() != 1 && numbers->size() != 3)) return {};
+  if (numbers->size() == 1) return grey(numbers->front());
+  return Colour{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+}
+
+// 400:0.1, 500:0.2
+std::optional<Spectrum> spectrum_in(std::string_view text) {
+  Spectrum spectrum;
+  for (const std::string_view word : words_in(text)) {
+    const std::size_t colon = word.find(':');
+    if (colon == std::string_view::npos) return {};
+    const auto wavelength = number_in(word.substr(0, colon)),
+               value = number_in(word.substr(colon + 1));
+    if (!wavelength || !value || (!spectrum.empty() && *wavelength <= spectrum.back().first))
+      return {};
+    spectrum.emplace_back(*wavelength, *value);
+  }
+  if (spectrum.empty()) return {};
+  return spectrum;
+}
+
+Colour of_spectrum(const XmlElement& element, Light light, const ImportContext& context) {
+  const std::string text = element.attribute("value");
+  if (const auto spectrum = spectrum_in(text)) {
+    context.diagnosis.inexact(element, "a spectrum over wavelengths", "its colour");
+    return colour_of(*spectrum, light);
+  }
+  if (const auto colour = one_or_three(text)) return *colour;
+  context.diagnosis.fault(
+      element, fmt::format("\"{}\" is no spectrum; give one number, or wavelength:value pairs in "
+                           "growing order",
+                           excerpt(text)));
+  return grey(0);
+}
+
+}  // namespace
+
+double linear_of_srgb(double encoded) {
+  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
+Colour colour_of(const XmlElement& given, Light light, const ImportContext& context) {
+  const XmlElement* element = context.resolved(given);
+  if (element == nullptr) return grey(0);
+  if (element->tag == "texture") return mean_of_texture(*element, context);
+  if (element->tag == "spectrum" && element->has("type")) {
+    for (const XmlElement& child : element->children)
+      if (element->type() == "uniform" && child.attribute("name") == "value")
+        return colour_of(child, light, context);
+    context.diagnosis.fault(*element,
+                            fmt::format("the spectrum \"{}\" is not known; known is uniform, "
+                                        "or give a value",
+                                        excerpt(element->type())));
+    return grey(0);
+  }
+  if (element->tag == "spectrum") return of_spectrum(*element, light, context);
+  const std::string text = element->attribute("value");
+  std::optional<Colour> colour = one_or_three(text);
+  if (!colour) {
+    context.diagnosis.fault(
+        *element, fmt::format("\"{}\" is no colour; give one number or three", excerpt(text)));
+    return grey(0);
+  }
+  if (element->tag == "srgb") std::ranges::transform(*colour, colour->begin(), linear_of_srgb);
+  return *colour;
+}
+
+nlohmann::ordered_json json_of(const Colour& colour) {
+  if (colour[0] == colour[1] && colour[1] == colour[2]) return colour[0];
+  return colour;
+}
+
+}  // namespace wander

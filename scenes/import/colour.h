@@ -1,0 +1,25 @@
+// Colours and textures of Mitsuba as linear red, green and blue (Rec. 709).
+#pragma once
+
+#include <array>
+#include <nlohmann/json_fwd.hpp>
+
+#include "scenes/import/import_context.h"
+
+namespace wander {
+
+using Colour = std::array<double, 3>;
+
+enum class Light { reflected, emitted };
+
+// Of <rgb>, <srgb>, <spectrum>, <float>, and of a <texture> its mean; black, with a fault, if it is
+// none of them.
+Colour colour_of(const XmlElement& element, Light light, const ImportContext& context);
+
+// One number if it is grey.
+nlohmann::ordered_json json_of(const Colour& colour);
+
+// From 0 to 1, of a channel as files of pictures have it.
+double linear_of_srgb(double encoded);
+
+}  // namespace wander

@@ -1,0 +1,67 @@
+#include "scenes/import/diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace wander {
+
+namespace {
+
+constexpr std::size_t most_faults = 100;
+
+std::string lines_of(const std::vector<ImportFault>& faults) {
+  std::string lines;
+  for (const ImportFault& fault : faults) lines += (lines.empty() ? "" : "\n") + line_of(fault);
+  return lines;
+}
+
+auto key(const ImportFault& fault) {
+  return std::tie(fault.file, fault.line, fault.column, fault.path, fault.what);
+}
+
+// What is referred to twice may be told twice; told is it once.
+void add(std::vector<ImportFault>& list, const XmlPlace& place, std::string what) {
+  ImportFault fault{*place.file, place.line, place.column, place.path, std::move(what)};
+  if (std::ranges::none_of(list,
+                           [&](const ImportFault& known) { return key(known) == key(fault); }))
+    list.push_back(std::move(fault));
+}
+
+}  // namespace
+
+std::string line_of(const ImportFault& fault) {
+  return fmt::format("{}:{}:{}: {}: {}", fault.file, fault.line, fault.column, fault.path,
+                     fault.what);
+}
+
+ImportError::ImportError(std::vector<ImportFault> found)
+    : std::runtime_error(lines_of(found)), faults(std::move(found)) {}
+
+void Diagnosis::fault(const XmlPlace& place, std::string_view what) {
+  if (faults_.size() < most_faults) add(faults_, place, std::string(what));
+}
+
+void Diagnosis::inexact(const XmlElement& element, std::string_view what,
+                        std::string_view instead) {
+  if (fidelity_ == Fidelity::exact)
+    fault(element,
+          fmt::format("{} cannot be said exactly; --approximate imports {}", what, instead));
+  else
+    note(element, fmt::format("{} is imported as {}", what, instead));
+}
+
+void Diagnosis::note(const XmlElement& element, std::string_view what) {
+  if (approximations_.size() < most_faults) add(approximations_, element.place, std::string(what));
+}
+
+void Diagnosis::require_sound() const {
+  if (faults_.empty()) return;
+  std::vector<ImportFault> sorted = faults_;
+  std::ranges::stable_sort(
+      sorted, [](const ImportFault& a, const ImportFault& b) { return key(a) < key(b); });
+  throw ImportError(std::move(sorted));
+}
+
+}  // namespace wander

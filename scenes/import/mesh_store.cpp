@@ -1,0 +1,72 @@
+#include "scenes/import/mesh_store.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "scenes/format/sha256.h"
+
+namespace wander {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "a PLY file would have to say so");
+
+template <class Value>
+void append(std::string& bytes, const Value& value) {
+  char raw[sizeof value];
+  std::memcpy(raw, &value, sizeof value);
+  bytes.append(raw, sizeof value);
+}
+
+std::string plain(std::string name) {
+  std::ranges::replace_if(
+      name,
+      [](char c) {
+        return !((c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+                 c == '_' || c == '-' || c == '.');
+      },
+      '_');
+  if (name.starts_with('.')) name.insert(0, "mesh");
+  constexpr std::size_t longest = 100;
+  return name.size() <= longest ? name : name.substr(name.size() - longest);
+}
+
+}  // namespace
+
+std::string MeshStore::add(std::string bytes, const std::string& name) {
+  const std::string digest = sha256(bytes);
+  if (const auto known = known_.find(digest); known != known_.end()) return known->second;
+  const std::string file = plain(name);
+  const std::size_t dot = std::min(file.rfind('.'), file.size());
+  std::string path = folder_ + "/" + file;
+  for (int i = 2; std::ranges::find(files_, path, &ImportedFile::path) != files_.end(); ++i)
+    path = fmt::format("{}/{}_{}{}", folder_, file.substr(0, dot), i, file.substr(dot));
+  files_.push_back({path, std::move(bytes)});
+  known_[digest] = path;
+  return path;
+}
+
+std::string ply_of(const Triangles& mesh) {
+  std::string bytes = fmt::format(
+      "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
+      "property double y\nproperty double z\nelement face {}\n"
+      "property list uchar int vertex_indices\nend_header\n",
+      mesh.points.size(), mesh.corners.size());
+  for (const auto& point : mesh.points)
+    for (const double x : point) append(bytes, x);
+  for (const auto& corners : mesh.corners) {
+    append(bytes, static_cast<unsigned char>(corners.size()));
+    for (const std::int32_t corner : corners) append(bytes, corner);
+  }
+  return bytes;
+}
+
+Triangles turned_round(Triangles mesh) {
+  for (auto& corners : mesh.corners) std::swap(corners[1], corners[2]);
+  return mesh;
+}
+
+}  // namespace wander

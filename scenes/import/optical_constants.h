@@ -1,0 +1,26 @@
+// Indices of refraction that Mitsuba knows by name.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace wander {
+
+// At 589 nm, such as of "bk7" and "air".
+std::optional<double> index_of_refraction(std::string_view name);
+std::vector<std::string> substances();
+
+// Of a metal, such as "Au"; at red, green and blue.
+struct ComplexIndex {
+  std::array<double, 3> eta, k;
+};
+std::optional<ComplexIndex> complex_index(std::string_view name);
+std::vector<std::string> metals();
+
+// Of light that falls along the normal, from a medium with this index.
+std::array<double, 3> normal_reflectance(const ComplexIndex& metal, double outside);
+
+}  // namespace wander

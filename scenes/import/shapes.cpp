@@ -1,0 +1,314 @@
+#include "scenes/import/shapes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <iterator>
+
+#include "scenes/format/json_text.h"
+#include "scenes/format/mesh_file.h"
+#include "scenes/format/scene_file_nearest.h"
+#include "scenes/import/mesh_shading.h"
+#include "scenes/import/plugin.h"
+#include "scenes/import/unit_meshes.h"
+
+namespace wander {
+
+using nlohmann::ordered_json;
+using Matrix = glm::dmat4;
+using Vector = glm::dvec3;
+
+namespace {
+
+constexpr std::uintmax_t largest_mesh = std::uintmax_t{2} << 30;
+
+Matrix translation(Vector v) {
+  Matrix result(1);
+  result[3] = {v, 1};
+  return result;
+}
+
+Matrix scaling(Vector v) {
+  Matrix result(1);
+  for (int axis = 0; axis < 3; ++axis) result[axis][axis] = v[axis];
+  return result;
+}
+
+Vector moved(const Matrix& matrix, Vector p) { return Vector(matrix * glm::dvec4(p, 1)); }
+
+bool mirrors(const Matrix& matrix) { return glm::determinant(glm::dmat3(matrix)) < 0; }
+
+ordered_json json_of(Vector v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }  // -0 is 0
+
+ordered_json rows_of(const Matrix& m) {
+  ordered_json rows;
+  for (int row = 0; row < 3; ++row)
+    rows.push_back({m[0][row] + 0.0, m[1][row] + 0.0, m[2][row] + 0.0, m[3][row] + 0.0});
+  return rows;
+}
+
+// As scene files do it: a mirror image is turned round.
+Triangles placed(Triangles mesh, const Matrix& matrix) {
+  for (auto& point : mesh.points) {
+    const Vector p = moved(matrix, {point[0], point[1], point[2]});
+    point = {p.x, p.y, p.z};
+  }
+  return mirrors(matrix) ? turned_round(std::move(mesh)) : mesh;
+}
+
+Triangles parallelogram(Vector origin, Vector a, Vector b) {
+  Triangles mesh;
+  for (const Vector p : {origin, origin + a, origin + a + b, origin + b})
+    mesh.points.push_back({p.x, p.y, p.z});
+  mesh.corners = {{0, 1, 2}, {0, 2, 3}};
+  return mesh;
+}
+
+}  // namespace
+
+class ShapeReader {
+ public:
+  explicit ShapeReader(ImportedShapes& shapes) : shapes_(shapes) {}
+
+  void read(const XmlElement& element) {
+    for (const auto& [type, read] : kinds())
+      if (type == element.type()) {
+        Plugin shape(element, shapes_.context_);
+        matrix_ = shape.transform("to_world");
+        turned_ = shape.flag("flip_normals", false);
+        shape.ignore({"silhouette_sampling_weight"});
+        if (glm::determinant(glm::dmat3(matrix_)) == 0)
+          diagnosis().fault(shape.where("to_world"), "the transform flattens space");
+        else
+          (this->*read)(shape);
+        if (!json_.is_null()) finish(shape);
+        shape.done();
+        return;
+      }
+    std::vector<std::string> known;
+    for (const auto& [type, read] : kinds()) known.emplace_back(type);
+    diagnosis().fault(element,
+                      fmt::format("the shape \"{}\" is not known; {}", excerpt(element.type()),
+                                  suggestion(element.type(), known)));
+  }
+
+ private:
+  using Read = void (ShapeReader::*)(Plugin&);
+  static const std::vector<std::pair<std::string_view, Read>>& kinds();  // by type
+
+  Diagnosis& diagnosis() const { return shapes_.context_.diagnosis; }
+
+  // ---- geometry: into json_ and surface_
+
+  void rectangle(Plugin&) {
+    const Vector origin = moved(matrix_, {-1, -1, 0});
+    Vector a = 2.0 * Vector(matrix_[0]), b = 2.0 * Vector(matrix_[1]);
+    if (mirrors(matrix_) != turned_) std::swap(a, b);
+    json_ = {{"type", "parallelogram"},
+             {"origin", json_of(origin)},
+             {"edges", {json_of(a), json_of(b)}}};
+    surface_ = placed_mesh(parallelogram(origin, a, b));
+  }
+
+  void cube(Plugin&) { add_mesh(unit_cube(), "cube"); }
+
+  void disk(Plugin& shape) {
+    round(shape, "a disk");
+    add_mesh(unit_disk(), "disk");
+  }
+
+  void cylinder(Plugin& shape) {
+    const Vector p0 = shape.point("p0", {0, 0, 0}), p1 = shape.point("p1", {0, 0, 1});
+    const double radius = shape.number("radius", 1), length = glm::length(p1 - p0);
+    if (!(radius > 0) || !(length > 0))
+      return diagnosis().fault(shape.element(), "a cylinder has a radius > 0, and p0 is not p1");
+    round(shape, "a cylinder");
+    const Vector z = (p1 - p0) / length;
+    const Vector x =
+        glm::normalize(glm::cross(std::abs(z.x) < 0.5 ? Vector(1, 0, 0) : Vector(0, 1, 0), z));
+    Matrix frame(1);
+    frame[0] = {x, 0};
+    frame[1] = {glm::cross(z, x), 0};
+    frame[2] = {z, 0};
+    matrix_ = matrix_ * translation(p0) * frame * scaling({radius, radius, length});
+    add_mesh(unit_cylinder(), "cylinder");
+  }
+
+  void round(Plugin& shape, std::string_view what) const {
+    diagnosis().inexact(shape.element(), what, fmt::format("a mesh of {} sides", sides_of_round));
+  }
+
+  void sphere(Plugin& shape) {
+    const Vector center = shape.point("center", {0, 0, 0});
+    const double radius = shape.number("radius", 1);
+    if (!(radius > 0)) return diagnosis().fault(shape.where("radius"), "a radius is > 0");
+    const bool inwards = mirrors(matrix_) != turned_;
+    matrix_ = matrix_ * translation(center) * scaling(Vector(radius));
+    const double size = (length_of(0) + length_of(1) + length_of(2)) / 3;
+    if (!is_similarity(size)) {
+      diagnosis().inexact(shape.element(), "an ellipsoid",
+                          fmt::format("a mesh of {} sides", sides_of_round));
+      turned_ = inwards;
+      return add_mesh(unit_sphere(), "sphere");
+    }
+    json_ = {{"type", "sphere"}, {"center", json_of(Vector(matrix_[3]))}, {"radius", size}};
+    if (inwards) json_["flip"] = true;
+    surface_ = placed_sphere(
+        Vector(matrix_[3]), size,
+        inwards ? PlacedSurface::Enclosure::front_inside : PlacedSurface::Enclosure::front_outside);
+  }
+
+  double length_of(int axis) const {
+    return std::hypot(matrix_[axis].x, matrix_[axis].y, matrix_[axis].z);
+  }
+
+  // Up to the digits of a file.
+  bool is_similarity(double size) const {
+    constexpr double slack = 1e-5;
+    for (int i = 0; i < 3; ++i)
+      for (int j = i; j < 3; ++j) {
+        const double product = glm::dot(Vector(matrix_[i]) / size, Vector(matrix_[j]) / size);
+        if (!(std::abs(product - (i == j ? 1 : 0)) < slack)) return false;
+      }
+    return true;
+  }
+
+  void add_mesh(Triangles mesh, const std::string& name) {
+    if (turned_) mesh = turned_round(std::move(mesh));
+    put(shapes_.meshes_.add(ply_of(mesh), name + (turned_ ? "_turned.ply" : ".ply")), mesh);
+  }
+
+  void put(const std::string& path, const Triangles& mesh) {
+    json_ = {{"type", "mesh"}, {"file", path}};
+    if (matrix_ != Matrix(1)) json_["transform"] = rows_of(matrix_);
+    surface_ = placed_mesh(placed(mesh, matrix_));
+  }
+
+  void file_mesh(Plugin& shape) {
+    const bool flat = shape.flag("face_normals", false);
+    shape.ignore({"flip_tex_coords", "flip_uvs", "max_smooth_angle", "collapse", "shape_index",
+                  "srgb", "load_materials"});
+    const std::string name = shape.text("filename", "");
+    const XmlElement& where = shape.where("filename");
+    const std::filesystem::path path = shapes_.context_.file(where, name);
+    if (path.empty()) return;
+    try {
+      std::error_code problem;
+      if (std::filesystem::file_size(path, problem) > largest_mesh)
+        throw MeshFileError(
+            fmt::format("the file is too large; a mesh may have {} GiB", largest_mesh >> 30));
+      std::ifstream stream(path, std::ios::binary);
+      std::string bytes{std::istreambuf_iterator<char>(stream), {}};
+      std::vector<std::array<double, 3>> normals;
+      const bool is_ply = shape.type() == "ply";
+      const Triangles mesh = is_ply ? parse_ply_with_normals(bytes, normals) : parse_obj(bytes);
+      MeshShading shading;
+      if (!flat) shading = is_ply ? shading_of_ply(mesh, normals) : shading_of_obj(mesh, bytes);
+      if (shading.normals == MeshShading::Normals::smooth)
+        diagnosis().inexact(shape.element(), "the smooth normals of a mesh",
+                            "those of its triangles");
+      copy(std::move(bytes), path.stem().string() + (is_ply ? ".ply" : ".obj"), mesh, shading);
+    } catch (const MeshFileError& error) {
+      diagnosis().fault(where, fmt::format("{}: {}", excerpt(name), error.what()));
+    }
+  }
+
+  // Mitsuba turns triangles, and the normals that it computes of them, round in a mirror.
+  void copy(std::string bytes, const std::string& name, const Triangles& mesh,
+            const MeshShading& shading) {
+    bool inwards = shading.front == MeshShading::Front::inside;
+    if (mirrors(matrix_) && !shading.is_of_file) inwards = !inwards;
+    if (turned_) inwards = !inwards;
+    if (!inwards) return put(shapes_.meshes_.add(std::move(bytes), name), mesh);
+    const Triangles other = turned_round(mesh);
+    put(shapes_.meshes_.add(ply_of(other), name.substr(0, name.rfind('.')) + "_turned.ply"), other);
+  }
+
+  // ---- what it is made of
+
+  void finish(Plugin& shape) {
+    for (const char* tag : {"medium", "subsurface"})
+      for (const XmlElement* object : shape.objects(tag))
+        diagnosis().inexact(*object, fmt::format("a {}", tag), "nothing");
+    const std::optional<Colour> radiance = light_of(shape);
+    ImportedMaterial material = material_of(shape, radiance.has_value());
+    if (radiance && material.presence == ImportedMaterial::Presence::absent) {
+      diagnosis().inexact(shape.element(), "a light that light passes through",
+                          "one that does not");
+      material = {};
+    }
+    if (radiance && material.refracts) {
+      diagnosis().inexact(shape.element(), "a light on glass", "a light without glass");
+      material = {};
+    }
+    if (material.presence == ImportedMaterial::Presence::absent) return;
+    if (!material.name.empty()) json_["material"] = material.name;
+    if (radiance) json_["light"] = {{"radiance", wander::json_of(*radiance)}};
+    if (const std::string id = shape.element().attribute("id"); !id.empty())
+      json_["name"] = printable(id);
+    shapes_.json_.push_back(std::move(json_));
+    shapes_.sources_.push_back(&shape.element());
+    shapes_.surfaces_.push_back(std::move(surface_));
+    shapes_.sides_.push_back(material.sides);
+  }
+
+  ImportedMaterial material_of(Plugin& shape, bool is_light) {
+    const auto bsdfs = shape.objects("bsdf");
+    if (bsdfs.size() > 1) diagnosis().fault(*bsdfs[1], "a shape has one bsdf; this is another");
+    if (!bsdfs.empty()) return shapes_.materials_.of(*bsdfs.front());
+    return is_light ? ImportedMaterial{} : shapes_.materials_.usual();  // a bare light is black
+  }
+
+  std::optional<Colour> light_of(Plugin& shape) {
+    const auto emitters = shape.objects("emitter");
+    if (emitters.size() > 1)
+      diagnosis().fault(*emitters[1], "a shape has one emitter; this is another");
+    if (emitters.empty()) return {};
+    Plugin emitter(*emitters.front(), shapes_.context_);
+    if (emitter.type() != "area") {
+      diagnosis().fault(emitter.element(),
+                        fmt::format("the emitter \"{}\" is not known on a shape; known "
+                                    "is area",
+                                    excerpt(emitter.type())));
+      return {};
+    }
+    emitter.ignore({"sampling_weight"});
+    const Colour radiance = emitter.radiance("radiance", 1);
+    emitter.done();
+    if (radiance == Colour{}) return {};  // it is dark
+    return radiance;
+  }
+
+  ImportedShapes& shapes_;
+  Matrix matrix_{1};
+  bool turned_ = false;  // flip_normals
+  ordered_json json_;    // null: nothing is imported
+  PlacedSurface surface_;
+};
+
+const std::vector<std::pair<std::string_view, ShapeReader::Read>>& ShapeReader::kinds() {
+  static const std::vector<std::pair<std::string_view, Read>> all{
+      {"obj", &ShapeReader::file_mesh},       {"ply", &ShapeReader::file_mesh},
+      {"rectangle", &ShapeReader::rectangle}, {"cube", &ShapeReader::cube},
+      {"sphere", &ShapeReader::sphere},       {"disk", &ShapeReader::disk},
+      {"cylinder", &ShapeReader::cylinder},
+  };
+  return all;
+}
+
+void ImportedShapes::add(const XmlElement& shape) { ShapeReader(*this).read(shape); }
+
+void ImportedShapes::look_behind(std::span<const glm::dvec3> eyes) {
+  const std::vector<bool> seen = seen_from_behind(surfaces_, eyes);
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    if (seen[i] && sides_[i] == ImportedMaterial::Sides::front)
+      context_.diagnosis.inexact(*sources_[i],
+                                 "a surface that is black from behind, where it can be seen,",
+                                 "one that is the same from both sides");
+}
+
+}  // namespace wander

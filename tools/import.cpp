@@ -1,0 +1,175 @@
+// `wander import`: a scene of Mitsuba as a scene file, with its meshes beside it.
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "lab/failure.h"
+#include "scenes/import/import_mitsuba.h"
+#include "tools/console.h"
+#include "tools/output_place.h"
+#include "tools/verb.h"
+
+namespace wander {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+struct ImportOptions {
+  std::string file;
+  bool approximate = false;
+  std::vector<std::string> definitions;  // NAME=VALUE
+};
+
+constexpr const char* folder_suffix = "-meshes";
+
+fs::path mesh_folder_of(const fs::path& out) { return out.stem().string() + folder_suffix; }
+
+XmlParameters parameters_of(const ImportOptions& options) {
+  XmlParameters parameters;
+  for (const std::string& definition : options.definitions) {
+    const std::size_t equals = definition.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw UsageError(fmt::format("-D {}: it is -D NAME=VALUE", definition));
+    parameters[definition.substr(0, equals)] = definition.substr(equals + 1);
+  }
+  return parameters;
+}
+
+void examine(const ImportOptions& options, const Global& global, Examination& examination) {
+  examination.part([&] {
+    if (global.out.empty())
+      throw UsageError("import needs -o SCENE.json, where the scene goes; its meshes go beside it");
+    if (is_standard_output(global.out))
+      throw UsageError("-o - is standard output, and meshes lie beside a scene; name a file");
+    require_replaceable(global.out, global);
+    const fs::path folder = global.out.parent_path() / mesh_folder_of(global.out);
+    std::error_code error;
+    if (fs::exists(folder, error) && !global.force)
+      throw UsageError(
+          fmt::format("{} exists, where the meshes would go; add --force to replace "
+                      "what has the same names",
+                      folder.string()));
+    require_writable_directory(global.out);
+  });
+  examination.part([&] { parameters_of(options); });
+}
+
+// A folder beside the output, gone again with this object.
+class Workshop {
+ public:
+  explicit Workshop(const fs::path& out) {
+    std::string name = (out.parent_path() / ("." + out.stem().string() + ".XXXXXX")).string();
+    if (mkdtemp(name.data()) == nullptr) throw OutputError(out.string(), errno);
+    path_ = name;
+  }
+  ~Workshop() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+void move_meshes(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::create_directory(to, error);
+  for (const fs::directory_entry& mesh : fs::directory_iterator(from)) {
+    if (!error) fs::rename(mesh.path(), to / mesh.path().filename(), error);
+    if (error) throw OutputError((to / mesh.path().filename()).string(), error.value());
+  }
+}
+
+// Everything is on the disk, and valid, before anything gets its name; the scene is last.
+void write_scene(const ImportedScene& scene, const fs::path& out) {
+  const Workshop workshop(out);
+  const fs::path folder = mesh_folder_of(out);
+  if (!scene.files.empty()) fs::create_directory(workshop.path() / folder);
+  for (const ImportedFile& file : scene.files) write_file(workshop.path() / file.path, file.bytes);
+  check_imported(scene, workshop.path());
+  if (!scene.files.empty()) move_meshes(workshop.path() / folder, out.parent_path() / folder);
+  write_file(out, scene.text);
+}
+
+ordered_json summary_of(const ImportedScene& scene, const Global& global) {
+  ordered_json files = ordered_json::array(), approximations = ordered_json::array();
+  for (const ImportedFile& file : scene.files) files.push_back(file.path);
+  for (const ImportFault& one : scene.approximations)
+    approximations.push_back({{"file", one.file},
+                              {"line", one.line},
+                              {"column", one.column},
+                              {"path", one.path},
+                              {"what", one.what}});
+  return {{"schema", "wanderlight-import/1"}, {"scene", global.out.string()},
+          {"shapes", scene.shapes},           {"materials", scene.materials},
+          {"files", std::move(files)},        {"approximations", std::move(approximations)}};
+}
+
+ExitCode import_scene(const ImportOptions& options, const Global& global) {
+  ImportRequest request;
+  request.file = options.file;
+  request.name = global.out.stem().string();
+  request.mesh_folder = mesh_folder_of(global.out).string();
+  request.parameters = parameters_of(options);
+  request.fidelity = options.approximate ? Fidelity::approximate : Fidelity::exact;
+  const ImportedScene scene = import_mitsuba(request);
+  write_scene(scene, global.out);
+  for (const ImportFault& one : scene.approximations) spdlog::warn("{}", line_of(one));
+  if (!global.quiet)
+    print_note(fmt::format(
+        "{}: shapes: {}, materials: {}, mesh files: {}; {}\n", global.out.string(), scene.shapes,
+        scene.materials, scene.files.size(),
+        scene.approximations.empty() ? "all of it is exact" : "what is not exact is listed above"));
+  if (global.json) print_json(summary_of(scene, global));
+  return ExitCode::ok;
+}
+
+constexpr const char* details = R"(
+FILE.xml is a scene of Mitsuba 3 or 0.6.  What cannot be said exactly is an error, all of them at once with
+their places; with --approximate the nearest thing is imported instead, and each is listed on stderr and in
+the "description" of the scene.  What maps to what: docs/importing.md.
+
+Meshes are copied into the folder SCENE-meshes beside SCENE.json, each content once.
+
+Examples:
+  wander import cbox.xml -o cbox.json
+  wander import cbox.xml -o cbox.json -D width=200 -D height=200 --approximate
+)";
+
+}  // namespace
+
+void add_import(CLI::App& app, Global& global) {
+  auto options = std::make_shared<ImportOptions>();
+  CLI::App* verb = app.add_subcommand("import", "make a scene file of a Mitsuba scene");
+  verb->add_option("FILE.xml", options->file, "a scene of Mitsuba, 3.x or 0.6")
+      ->type_name("")
+      ->required();
+  verb->add_flag("--approximate", options->approximate,
+                 "import the nearest thing where there is no exact one, and say so");
+  verb->add_option("-D,--define", options->definitions,
+                   "the value of a parameter $NAME of the scene")
+      ->type_name("NAME=VALUE")
+      ->allow_extra_args(false);
+  add_global_options(*verb, global);
+  verb->footer(details);
+  examine_with(*verb, global, [options, &global](Examination& examination) {
+    examine(*options, global, examination);
+  });
+  verb->callback([options, &global] {
+    global.job = [options, &global] { return import_scene(*options, global); };
+  });
+}
+
+}  // namespace wander
