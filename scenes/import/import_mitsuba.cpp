@@ -179,7 +179,7 @@ ImportedScene import_mitsuba(const ImportRequest& request) {
 
 void check_imported(const ImportedScene& scene, const std::filesystem::path& folder) {
   try {
-    parse_scene(scene.text, "scene", folder);
+    parse_scene(scene.text, "scene", meshes_in(folder));
   } catch (const SceneFileError& error) {
     std::vector<ImportFault> faults;
     for (const Fault& fault : error.faults) {
