@@ -10,6 +10,7 @@
 #include <span>
 
 #include "lab/engine.h"
+#include "lab/method_check.h"
 #include "lab/scene_source.h"
 #include "scenes/format/mesh_file.h"
 #include "tests/support/expect.h"
@@ -106,6 +107,18 @@ TEST(GalleryOfSpace, IsOpenedAgainWithItsMeshes) {
   EXPECT_EQ(triangles_of(reopen_scene(text, file)), 5760u);
   EXPECT_THROW(reopen_scene(text, "-"), SceneFileError);
   EXPECT_THROW(reopen_scene(text, "elsewhere/ring.json"), SceneFileError);
+}
+
+// Of 4096 pixels hardly one is reliable after these samples, of 256 nearly all are.
+TEST(GalleryOfSpace, HasFilmsThatAreCheckedInLargePixels) {
+  Session session;
+  session.budget = SampleBudget{100'000};
+  session.threads = 2;
+  const Job job(open_scene("gallery:furnace-sphere").scene, find_method("mlt"));
+  for (const MethodCheck& check : check_methods(job, session, 1e-9, [] {})) {
+    EXPECT_EQ(check.verdict, Verdict::passed) << check.method << ": " << check.reason;
+    EXPECT_EQ(check.bins, 16u * 16u * 3u) << check.method;
+  }
 }
 
 // L = (1 - ρ) (1 + ρ + … + ρ⁶), whatever is seen: paths of n vertices carry (1 - ρ) ρⁿ⁻².
