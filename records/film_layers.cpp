@@ -105,13 +105,14 @@ std::vector<FilmLayer> layers_of(const Rendering& rendering) {
   const ImageShape shape(film.shape);
   std::vector<FilmLayer> layers;
   const auto add = [&](std::string name, const auto& numbers) {
+    if (numbers.empty()) return;
     require_fit(name, numbers.size(), shape.numbers());
     layers.push_back({std::move(name), shape.channels,
                       [&numbers](std::size_t i) { return static_cast<double>(numbers[i]); }});
   };
   add("value", film.value);
   add("standard_error", film.standard_error);
-  if (!film.reliable.empty()) add("reliable", film.reliable);
+  add("reliable", film.reliable);
   for (const auto& [length, values] : film.by_length)
     add(fmt::format("{}{}", vertices, length), values);
   const MutationMaps maps(film);

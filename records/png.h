@@ -10,7 +10,8 @@ namespace wander {
 
 using Rgb = std::array<std::uint8_t, 3>;
 
-// Of colours from a table.  Rows from the top; every index is below colours.size(), which is at most 256.
+// Of colours from a table.  Rows from the top; every index is below colours.size(), which is at most
+// 256.
 std::string to_png(std::span<const std::uint8_t> indices, int width, int height,
                    std::span<const Rgb> colours);
 

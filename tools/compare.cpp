@@ -226,7 +226,7 @@ other.  Values that hold commas are parted by semicolons:
 --sweep 'mutations=lens=1,primary=1;bidirectional=1'.
 
 Errors are measured against a reference whose own error is known and allowed for:
-  FILE  a run.json, film.exr, or DIR of an earlier render, or the reference.json of a comparison
+  FILE  the DIR of an earlier render, its run.json, film.exr or film.nc, or a reference.json
   auto  the exact film where all is diffuse and made of segments; else a mean of long runs of the two
         methods, contenders or not, that tell most in a second by a short trial.  Together they take
         as long as 3 R runs at the largest budget, and they are made first.  A warning says so where

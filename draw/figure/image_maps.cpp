@@ -45,10 +45,6 @@ double quotient(double dividend, double divisor) {
 
 }  // namespace
 
-PixelMap luminance_map(const FilmEstimate& image) {
-  return map_of(image, [&](std::size_t p) { return luminance_at(image, image.value, p); });
-}
-
 PixelMap relative_error_map(const FilmEstimate& image) {
   return map_of(image, [&](std::size_t p) {
     return quotient(luminance_at(image, image.standard_error, p),

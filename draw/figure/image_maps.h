@@ -16,8 +16,6 @@ struct PixelMap {
   std::vector<double> values;  // rows from the top; NaN: not known
 };
 
-PixelMap luminance_map(const FilmEstimate& image);
-
 // Standard error over value.
 PixelMap relative_error_map(const FilmEstimate& image);
 

@@ -101,7 +101,6 @@ TEST(ImageMaps, HoldTheErrorInUnitsOfTheValue) {
 TEST(ImageMaps, TakeColoursByTheirLuminance) {
   const FilmEstimate a = coloured({1, 2, 3}, {0.1, 0, 0}), b = coloured({0, 2, 3}, {0, 0.2, 0});
   const double value = 0.2126 + 2 * 0.7152 + 3 * 0.0722;
-  EXPECT_DOUBLE_EQ(luminance_map(a).values[0], value);
   EXPECT_DOUBLE_EQ(relative_error_map(a).values[0], 0.2126 * 0.1 / value);
   EXPECT_NEAR(difference_map(a, b).values[0], 0.2126 / (0.2126 * 0.1 + 0.7152 * 0.2), 1e-12);
   FilmEstimate doubtful = a;
@@ -114,7 +113,7 @@ TEST(ImageMaps, OfLargeImagesAreThinned) {
   EXPECT_EQ(pixels_per_pixel(1025, 3), 2u);
   FilmEstimate image{.shape = {2, 2049}};
   for (int i = 0; i < 2 * 2049; ++i) image.value.push_back(i % 2049);
-  const PixelMap few = thinned(luminance_map(image));
+  const PixelMap few = thinned({2049, 2, image.value});
   EXPECT_EQ(few.width, 683u);
   EXPECT_EQ(few.height, 1u);
   EXPECT_EQ(few.values[1], 3);
