@@ -23,10 +23,13 @@ auto key(const ImportFault& fault) {
 
 // What is referred to twice may be told twice; told is it once.
 void add(std::vector<ImportFault>& list, const XmlPlace& place, std::string what) {
+  if (list.size() > most_faults) return;
   ImportFault fault{*place.file, place.line, place.column, place.path, std::move(what)};
   if (std::ranges::none_of(list,
                            [&](const ImportFault& known) { return key(known) == key(fault); }))
     list.push_back(std::move(fault));
+  if (list.size() > most_faults)
+    list.back().what = fmt::format("more like these follow; these are the first {}", most_faults);
 }
 
 }  // namespace
@@ -40,7 +43,7 @@ ImportError::ImportError(std::vector<ImportFault> found)
     : std::runtime_error(lines_of(found)), faults(std::move(found)) {}
 
 void Diagnosis::fault(const XmlPlace& place, std::string_view what) {
-  if (faults_.size() < most_faults) add(faults_, place, std::string(what));
+  add(faults_, place, std::string(what));
 }
 
 void Diagnosis::inexact(const XmlElement& element, std::string_view what,
@@ -53,7 +56,7 @@ void Diagnosis::inexact(const XmlElement& element, std::string_view what,
 }
 
 void Diagnosis::note(const XmlElement& element, std::string_view what) {
-  if (approximations_.size() < most_faults) add(approximations_, element.place, std::string(what));
+  add(approximations_, element.place, std::string(what));
 }
 
 void Diagnosis::require_sound() const {
