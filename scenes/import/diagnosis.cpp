@@ -21,6 +21,12 @@ auto key(const ImportFault& fault) {
   return std::tie(fault.file, fault.line, fault.column, fault.path, fault.what);
 }
 
+std::vector<ImportFault> sorted(std::vector<ImportFault> faults) {
+  std::ranges::stable_sort(
+      faults, [](const ImportFault& a, const ImportFault& b) { return key(a) < key(b); });
+  return faults;
+}
+
 // What is referred to twice may be told twice; told is it once.
 void add(std::vector<ImportFault>& list, const XmlPlace& place, std::string what) {
   if (list.size() > most_faults) return;
@@ -59,12 +65,10 @@ void Diagnosis::note(const XmlElement& element, std::string_view what) {
   add(approximations_, element.place, std::string(what));
 }
 
+std::vector<ImportFault> Diagnosis::approximations() const { return sorted(approximations_); }
+
 void Diagnosis::require_sound() const {
-  if (faults_.empty()) return;
-  std::vector<ImportFault> sorted = faults_;
-  std::ranges::stable_sort(
-      sorted, [](const ImportFault& a, const ImportFault& b) { return key(a) < key(b); });
-  throw ImportError(std::move(sorted));
+  if (!faults_.empty()) throw ImportError(sorted(faults_));
 }
 
 }  // namespace wander

@@ -94,7 +94,7 @@ class SceneImport {
   }
 
   std::string description() const {
-    const auto& said = diagnosis_.approximations();
+    const auto said = diagnosis_.approximations();
     std::string text =
         fmt::format("Imported from {}{}{}", printable(request_.file.filename().string()),
                     scene_.version.empty() ? "" : ", Mitsuba ", printable(scene_.version));

@@ -194,8 +194,8 @@ class BsdfReader {
   Made coated(Plugin& bsdf) const {
     bsdf.ignore({"int_ior", "ext_ior", "nonlinear", "specular_reflectance", "alpha", "alpha_u",
                  "alpha_v", "distribution", "sample_visible", "exponent", "variant"});
-    diagnosis().inexact(bsdf.element(), fmt::format("the gloss of a {}", bsdf.type()),
-                        "nothing, what is under it as diffuse");
+    diagnosis().inexact(bsdf.element(), fmt::format("a {}", bsdf.type()),
+                        "diffuse, without its gloss");
     return diffuse_of(bsdf.reflectance("diffuse_reflectance", 0.5));
   }
 

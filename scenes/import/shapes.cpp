@@ -210,8 +210,8 @@ class ShapeReader {
       MeshShading shading;
       if (!flat) shading = is_ply ? shading_of_ply(mesh, normals) : shading_of_obj(mesh, bytes);
       if (shading.normals == MeshShading::Normals::smooth)
-        diagnosis().inexact(shape.element(), "the smooth normals of a mesh",
-                            "those of its triangles");
+        diagnosis().inexact(shape.element(), "the smooth shading of a mesh",
+                            "the flat one of its triangles");
       copy(std::move(bytes), path.stem().string() + (is_ply ? ".ply" : ".obj"), mesh, shading);
     } catch (const MeshFileError& error) {
       diagnosis().fault(where, fmt::format("{}: {}", excerpt(name), error.what()));

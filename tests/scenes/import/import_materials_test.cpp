@@ -83,7 +83,7 @@ TEST_F(ImportedBsdfs, AreTheNearestThingWhereTheyCannotBeSaid) {
   for (const char* type : {"plastic", "roughplastic"})
     EXPECT_EQ(nearly(std::string("<bsdf type='") + type +
                          "'><rgb name='diffuse_reflectance' value='0.1,0.2,0.3'/></bsdf>",
-                     "the gloss of a"),
+                     std::string("a ") + type),
               parsed(R"({"type": "diffuse", "reflectance": [0.1, 0.2, 0.3]})"));
   EXPECT_EQ(
       nearly("<bsdf type='mask'><float name='opacity' value='0.9'/><bsdf type='diffuse'/></bsdf>",
