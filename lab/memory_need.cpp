@@ -74,7 +74,7 @@ void need_of_chains(MemoryNeed& need, const Size& size, const Job& job) {
   // Deposits and what the seed pass found, per cell; acceptance maps.
   need.films = groups * (2 * size.cells * of_sum + size.maps * of_double);
   if (size.is_large) {
-    const double parts = std::min(settings.groups, SharedFilms::most);
+    const double parts = SharedFilms::films_of(size.shape, settings.groups, size.layout);
     need.films += size.bins * (1 + size.lengths) * (parts * of_float + of_double);
     need.end = result_of(size) + groups * size.cells * 2 * of_double;
   } else {

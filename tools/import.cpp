@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/failure.h"
+#include "records/atomic_file.h"
 #include "scenes/import/import_mitsuba.h"
 #include "tools/console.h"
 #include "tools/output_place.h"
@@ -99,8 +100,9 @@ void write_scene(const ImportedScene& scene, const fs::path& out) {
   if (!scene.files.empty()) fs::create_directory(workshop.path() / folder);
   for (const ImportedFile& file : scene.files) write_file(workshop.path() / file.path, file.bytes);
   check_imported(scene, workshop.path());
+  StagedFile file(out, scene.text);
   if (!scene.files.empty()) move_meshes(workshop.path() / folder, out.parent_path() / folder);
-  write_file(out, scene.text);
+  file.commit();
 }
 
 ordered_json summary_of(const ImportedScene& scene, const Global& global) {

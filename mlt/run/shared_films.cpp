@@ -10,7 +10,7 @@ SharedFilms::SharedFilms(std::span<const int> film, int max_vertices, int groups
     : groups_(groups), common_(values_of(film)) {
   if (layout.keeps_lengths(film, max_vertices))
     lengths_.resize(static_cast<std::size_t>(max_vertices) - 1);
-  films_.assign(static_cast<std::size_t>(std::min(groups, most)),
+  films_.assign(static_cast<std::size_t>(films_of(film, groups, layout)),
                 SharedFilm(bins(), static_cast<int>(lengths_.size())));
 }
 

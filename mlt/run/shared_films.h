@@ -14,6 +14,7 @@
 // noise.  After n additions on a bin it is √n 2^-24 of that noise: for n = 2^36, a sixtieth.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -77,8 +78,11 @@ class SharedFilm {
 
 class SharedFilms {
  public:
-  // As few as give error bars that are trusted (deposit.h).
-  static constexpr int most = 16;
+  // As few as give error bars that are trusted (deposit.h); of an image of few pixels, one for each
+  // group.
+  static int films_of(std::span<const int> film, int groups, const FilmLayout& layout) {
+    return layout.raster(film).is_film() ? groups : std::min(groups, 16);
+  }
   // The groups that share a film take turns of so many steps each, for otherwise a tile could take
   // any number of additions before it is flushed.
   static constexpr std::uint64_t steps_per_turn = 256;

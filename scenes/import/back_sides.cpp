@@ -85,21 +85,26 @@ class Onlookers {
 
   bool are_behind(std::size_t index) {
     const PlacedSurface& surface = surfaces_[index];
+    if (surface.back == PlacedSurface::Back::same) return false;
     if (surface.enclosure == PlacedSurface::Enclosure::open)
       return surface.facets.corners.empty() || are_behind_facets(index);
     const Box box = box_of(surface.points);
     if (surface.enclosure == PlacedSurface::Enclosure::front_inside)
       return any(index, [&](Point p) { return !box.holds(p, -slack_); });
-    return comparisons_ > most_comparisons ||
-           any(index, [&](Point p) { return box.holds(p, slack_) && is_inside(surface, p); });
+    return any(index, [&](Point p) { return box.holds(p, slack_) && is_inside(surface, p); });
   }
 
  private:
+  // Also when there is too much to look at.
   template <class Test>
-  bool any(std::size_t but, Test&& test) const {
+  bool any(std::size_t but, Test&& test) {
     if (std::ranges::any_of(eyes_, test)) return true;
-    for (std::size_t i = 0; i < surfaces_.size(); ++i)
-      if (i != but && std::ranges::any_of(surfaces_[i].points, test)) return true;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+      if (i == but) continue;
+      comparisons_ += surfaces_[i].points.size();
+      if (comparisons_ > most_comparisons || std::ranges::any_of(surfaces_[i].points, test))
+        return true;
+    }
     return false;
   }
 
@@ -129,13 +134,11 @@ class Onlookers {
       const Point across = glm::cross(point(mesh, corners[1]) - a, point(mesh, corners[2]) - a);
       const double length = glm::length(across);
       if (!(length > 0)) continue;
-      const auto is_behind = [&](Point p) {
-        ++comparisons_;
-        return glm::dot(p - a, across) < -slack_ * length;
-      };
+      const auto is_behind = [&](Point p) { return glm::dot(p - a, across) < -slack_ * length; };
+      comparisons_ += mesh.points.size();
       for (std::size_t i = 0; i < mesh.points.size(); ++i)
         if (is_behind(point(mesh, static_cast<std::int32_t>(i)))) return true;
-      if (any(index, is_behind) || comparisons_ > most_comparisons) return true;
+      if (any(index, is_behind)) return true;
     }
     return false;
   }
@@ -148,12 +151,14 @@ class Onlookers {
 
 }  // namespace
 
-PlacedSurface placed_mesh(Triangles mesh) {
+PlacedSurface placed_mesh(Triangles mesh, PlacedSurface::Back back) {
   PlacedSurface surface;
+  surface.back = back;
   if (mesh.corners.empty()) return surface;
   const std::size_t stride = 1 + mesh.points.size() / most_points;
   for (std::size_t i = 0; i < mesh.points.size(); i += stride)
     surface.points.push_back(point(mesh, static_cast<std::int32_t>(i)));
+  if (back == PlacedSurface::Back::same) return surface;
   if (is_closed(mesh))
     surface.enclosure = volume_of(mesh) > 0 ? PlacedSurface::Enclosure::front_outside
                                             : PlacedSurface::Enclosure::front_inside;

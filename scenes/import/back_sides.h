@@ -16,18 +16,21 @@ namespace wander {
 // A shape as far as it matters here.
 struct PlacedSurface {
   enum class Enclosure { open, front_outside, front_inside };
+  enum class Back { dark, same };  // the same as the front
 
   std::vector<glm::dvec3> points;  // some of it
+  Back back = Back::same;
   Enclosure enclosure = Enclosure::open;
   Triangles facets;    // their front is outside; none if there are too many to look at
   double radius = -1;  // of a sphere, which has no facets
   glm::dvec3 center{0};
 };
 
-PlacedSurface placed_mesh(Triangles mesh);
+// What encloses what is only found out of meshes with a dark back.
+PlacedSurface placed_mesh(Triangles mesh, PlacedSurface::Back back);
 PlacedSurface placed_sphere(glm::dvec3 center, double radius, PlacedSurface::Enclosure enclosure);
 
-// Of all surfaces, whether something of the others, or the eye, may be behind each.
+// Of all surfaces, whether they have a dark back that another surface, or an eye, may be behind.
 std::vector<bool> seen_from_behind(std::span<const PlacedSurface> surfaces,
                                    std::span<const glm::dvec3> eyes);
 

@@ -21,12 +21,21 @@ auto key(const ImportFault& fault) {
   return std::tie(fault.file, fault.line, fault.column, fault.path, fault.what);
 }
 
+std::vector<ImportFault> sorted(std::vector<ImportFault> faults) {
+  std::ranges::stable_sort(
+      faults, [](const ImportFault& a, const ImportFault& b) { return key(a) < key(b); });
+  return faults;
+}
+
 // What is referred to twice may be told twice; told is it once.
 void add(std::vector<ImportFault>& list, const XmlPlace& place, std::string what) {
+  if (list.size() > most_faults) return;
   ImportFault fault{*place.file, place.line, place.column, place.path, std::move(what)};
   if (std::ranges::none_of(list,
                            [&](const ImportFault& known) { return key(known) == key(fault); }))
     list.push_back(std::move(fault));
+  if (list.size() > most_faults)
+    list.back().what = fmt::format("more like these follow; these are the first {}", most_faults);
 }
 
 }  // namespace
@@ -40,7 +49,7 @@ ImportError::ImportError(std::vector<ImportFault> found)
     : std::runtime_error(lines_of(found)), faults(std::move(found)) {}
 
 void Diagnosis::fault(const XmlPlace& place, std::string_view what) {
-  if (faults_.size() < most_faults) add(faults_, place, std::string(what));
+  add(faults_, place, std::string(what));
 }
 
 void Diagnosis::inexact(const XmlElement& element, std::string_view what,
@@ -53,15 +62,13 @@ void Diagnosis::inexact(const XmlElement& element, std::string_view what,
 }
 
 void Diagnosis::note(const XmlElement& element, std::string_view what) {
-  if (approximations_.size() < most_faults) add(approximations_, element.place, std::string(what));
+  add(approximations_, element.place, std::string(what));
 }
 
+std::vector<ImportFault> Diagnosis::approximations() const { return sorted(approximations_); }
+
 void Diagnosis::require_sound() const {
-  if (faults_.empty()) return;
-  std::vector<ImportFault> sorted = faults_;
-  std::ranges::stable_sort(
-      sorted, [](const ImportFault& a, const ImportFault& b) { return key(a) < key(b); });
-  throw ImportError(std::move(sorted));
+  if (!faults_.empty()) throw ImportError(sorted(faults_));
 }
 
 }  // namespace wander

@@ -30,7 +30,8 @@ class Diagnosis {
   bool has_faults() const { return !faults_.empty(); }
   // Throws ImportError if there are faults, in the order of their places.
   void require_sound() const;
-  const std::vector<ImportFault>& approximations() const { return approximations_; }
+  // In the order of their places.
+  std::vector<ImportFault> approximations() const;
 
  private:
   Fidelity fidelity_;

@@ -41,7 +41,7 @@ class SceneImport {
     imported.text = text();
     imported.approximations = diagnosis_.approximations();
     imported.shapes = shapes_.json().size();
-    imported.materials = shapes_.materials().json().size();
+    imported.materials = shapes_.materials().entries().size();
     imported.sources = sources();
     imported.files = std::move(shapes_).files();
     return imported;
@@ -95,7 +95,7 @@ class SceneImport {
   }
 
   std::string description() const {
-    const auto& said = diagnosis_.approximations();
+    const auto said = diagnosis_.approximations();
     std::string text =
         fmt::format("Imported from {}{}{}", printable(request_.file.filename().string()),
                     scene_.version.empty() ? "" : ", Mitsuba ", printable(scene_.version));
@@ -120,7 +120,7 @@ class SceneImport {
     member("description", description());
     if (max_vertices_ != 0) member("max_vertices", max_vertices_);
     std::string lines;
-    for (const auto& [name, material] : shapes_.materials().json().items())
+    for (const auto& [name, material, source] : shapes_.materials().entries())
       lines += fmt::format("{}\n    {}: {}", lines.empty() ? "" : ",", ordered_json(name).dump(),
                            material.dump());
     text += fmt::format("  \"materials\": {{{}\n  }},\n", lines);
@@ -137,9 +137,8 @@ class SceneImport {
     sources.camera = sensor_->place;
     for (std::size_t i = 0; i < shapes_.json().size(); ++i)
       sources.shapes.push_back(shapes_.source(i).place);
-    for (const auto& [name, material] : shapes_.materials().json().items())
-      if (const XmlElement* bsdf = shapes_.materials().source(name))
-        sources.materials.emplace(name, bsdf->place);
+    for (const auto& [name, material, source] : shapes_.materials().entries())
+      if (source != nullptr) sources.materials.emplace(name, source->place);
     return sources;
   }
 

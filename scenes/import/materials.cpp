@@ -14,7 +14,7 @@ namespace wander {
 
 using nlohmann::ordered_json;
 using Presence = ImportedMaterial::Presence;
-using Sides = ImportedMaterial::Sides;
+using Back = PlacedSurface::Back;
 
 // Reads one bsdf, and those in it.
 class BsdfReader {
@@ -46,7 +46,7 @@ class BsdfReader {
   Diagnosis& diagnosis() const { return context_.diagnosis; }
 
   static Made diffuse_of(const Colour& colour) {
-    return {{{"type", "diffuse"}, {"reflectance", json_of(colour)}}, Presence::here, Sides::front};
+    return {{{"type", "diffuse"}, {"reflectance", json_of(colour)}}, Presence::here, Back::dark};
   }
 
   Made diffuse(Plugin& bsdf) const {
@@ -63,7 +63,7 @@ class BsdfReader {
     if (inner.size() == 2 && inner[0] != inner[1])
       diagnosis().inexact(bsdf.element(), "another bsdf on the back", "that of the front");
     Made made = made_of(*inner[0]);
-    made.sides = Sides::both;
+    made.back = Back::same;
     return made;
   }
 
@@ -93,7 +93,7 @@ class BsdfReader {
 
   Made conductor(Plugin& bsdf) const {
     return {
-        {{"type", "mirror"}, {"reflectance", json_of(metal(bsdf))}}, Presence::here, Sides::front};
+        {{"type", "mirror"}, {"reflectance", json_of(metal(bsdf))}}, Presence::here, Back::dark};
   }
 
   double roughness(Plugin& bsdf) const {
@@ -139,7 +139,7 @@ class BsdfReader {
     return {
         {{"type", "rough_conductor"}, {"roughness", alpha}, {"reflectance", json_of(metal(bsdf))}},
         Presence::here,
-        Sides::front};
+        Back::dark};
   }
 
   double index(Plugin& bsdf, std::string_view key, std::string_view otherwise) const {
@@ -173,7 +173,7 @@ class BsdfReader {
     if (const double outside = index(bsdf, "ext_ior", "air"); outside != 1)
       json["exterior_ior"] = outside;
     refuse_tint(bsdf);
-    return {std::move(json), Presence::here, Sides::both};
+    return {std::move(json), Presence::here, Back::same};
   }
 
   Made dielectric(Plugin& bsdf) const { return interface(bsdf, {{"type", "dielectric"}}); }
@@ -186,16 +186,16 @@ class BsdfReader {
   Made thin_dielectric(Plugin& bsdf) const {
     bsdf.ignore({"int_ior", "ext_ior", "specular_reflectance", "specular_transmittance"});
     diagnosis().inexact(bsdf.element(), "a thin pane of glass", "nothing");
-    return {nullptr, Presence::absent, Sides::both};
+    return {nullptr, Presence::absent, Back::same};
   }
 
-  Made null(Plugin&) const { return {nullptr, Presence::absent, Sides::both}; }
+  Made null(Plugin&) const { return {nullptr, Presence::absent, Back::same}; }
 
   Made coated(Plugin& bsdf) const {
     bsdf.ignore({"int_ior", "ext_ior", "nonlinear", "specular_reflectance", "alpha", "alpha_u",
                  "alpha_v", "distribution", "sample_visible", "exponent", "variant"});
-    diagnosis().inexact(bsdf.element(), fmt::format("the gloss of a {}", bsdf.type()),
-                        "nothing, what is under it as diffuse");
+    diagnosis().inexact(bsdf.element(), fmt::format("a {}", bsdf.type()),
+                        "diffuse, without its gloss");
     return diffuse_of(bsdf.reflectance("diffuse_reflectance", 0.5));
   }
 
@@ -278,7 +278,7 @@ ImportedMaterial ImportedMaterials::of(const XmlElement& bsdf) {
   if (!made.json.is_null() && made.presence == Presence::here) {
     const std::string type = made.json["type"];
     const bool is_black = made.json.value("reflectance", ordered_json()) == 0;
-    material.sides = is_black ? Sides::both : made.sides;
+    material.back = is_black ? Back::same : made.back;
     material.refracts = type == "dielectric" || type == "rough_dielectric";
     if (!(type == "diffuse" && is_black)) material.name = name_of(made.json, &bsdf);
   }
@@ -287,13 +287,8 @@ ImportedMaterial ImportedMaterials::of(const XmlElement& bsdf) {
 }
 
 ImportedMaterial ImportedMaterials::usual() {
-  return {name_of({{"type", "diffuse"}, {"reflectance", 0.5}}, nullptr), Presence::here,
-          Sides::front, false};
-}
-
-const XmlElement* ImportedMaterials::source(const std::string& name) const {
-  const auto found = sources_.find(name);
-  return found == sources_.end() ? nullptr : found->second;
+  return {name_of({{"type", "diffuse"}, {"reflectance", 0.5}}, nullptr), Presence::here, Back::dark,
+          false};
 }
 
 // Its id, else its type and a number; those without an id that are equal are one.
@@ -305,10 +300,9 @@ std::string ImportedMaterials::name_of(const ordered_json& json, const XmlElemen
     name = json["type"];
   }
   const std::string first = name;
-  for (int i = 2; json_.contains(name); ++i) name = fmt::format("{}_{}", first, i);
+  while (!names_.insert(name).second) name = fmt::format("{}_{}", first, 1 + ++numbers_[first]);
   if (bsdf == nullptr || !bsdf->has("id")) unnamed_.emplace(json.dump(), name);
-  json_[name] = json;
-  sources_[name] = bsdf;
+  entries_.push_back({name, json, bsdf});
   return name;
 }
 

@@ -6,7 +6,9 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
+#include "scenes/import/back_sides.h"
 #include "scenes/import/import_context.h"
 
 namespace wander {
@@ -14,11 +16,10 @@ namespace wander {
 // What a shape is made of.
 struct ImportedMaterial {
   enum class Presence { here, absent };  // absent: light passes as if there were no shape
-  enum class Sides { both, front };      // front: in Mitsuba its back is black
 
   std::string name;  // empty: black
   Presence presence = Presence::here;
-  Sides sides = Sides::both;
+  PlacedSurface::Back back = PlacedSurface::Back::same;  // in Mitsuba
   bool refracts = false;
 };
 
@@ -31,25 +32,29 @@ class ImportedMaterials {
   // What a shape without a bsdf is made of: diffuse, 0.5.
   ImportedMaterial usual();
 
-  // By name, in the order of their use.
-  const nlohmann::ordered_json& json() const { return json_; }
-  // The element that a material was made of; null if there is none.
-  const XmlElement* source(const std::string& name) const;
+  struct Entry {
+    std::string name;
+    nlohmann::ordered_json json;
+    const XmlElement* source;  // null if there is none
+  };
+  // In the order of their use.
+  const std::vector<Entry>& entries() const { return entries_; }
 
  private:
   struct Made {
     nlohmann::ordered_json json;  // null: black
     ImportedMaterial::Presence presence = ImportedMaterial::Presence::here;
-    ImportedMaterial::Sides sides = ImportedMaterial::Sides::both;
+    PlacedSurface::Back back = PlacedSurface::Back::same;
   };
   friend class BsdfReader;
 
   std::string name_of(const nlohmann::ordered_json& json, const XmlElement* bsdf);
 
   const ImportContext& context_;
-  nlohmann::ordered_json json_ = nlohmann::ordered_json::object();
+  std::vector<Entry> entries_;
   std::map<const XmlElement*, ImportedMaterial> known_;
-  std::map<std::string, const XmlElement*> sources_;
+  std::set<std::string> names_;
+  std::map<std::string, int> numbers_;          // the last one given to a name that several want
   std::map<std::string, std::string> unnamed_;  // JSON text -> name
 };
 

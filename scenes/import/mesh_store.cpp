@@ -41,9 +41,11 @@ std::string MeshStore::add(std::string bytes, const std::string& name) {
   if (const auto known = known_.find(digest); known != known_.end()) return known->second;
   const std::string file = plain(name);
   const std::size_t dot = std::min(file.rfind('.'), file.size());
-  std::string path = folder_ + "/" + file;
-  for (int i = 2; std::ranges::find(files_, path, &ImportedFile::path) != files_.end(); ++i)
-    path = fmt::format("{}/{}_{}{}", folder_, file.substr(0, dot), i, file.substr(dot));
+  const std::string first = folder_ + "/" + file;
+  std::string path = first;
+  while (!paths_.insert(path).second)
+    path = fmt::format("{}/{}_{}{}", folder_, file.substr(0, dot), 1 + ++numbers_[first],
+                       file.substr(dot));
   files_.push_back({path, std::move(bytes)});
   known_[digest] = path;
   return path;

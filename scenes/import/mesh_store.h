@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,8 @@ class MeshStore {
   std::string folder_;
   std::vector<ImportedFile> files_;
   std::map<std::string, std::string> known_;  // SHA-256 -> path
+  std::set<std::string> paths_;
+  std::map<std::string, int> numbers_;  // the last one given to a path that several want
 };
 
 // Binary, in double precision.

@@ -102,7 +102,7 @@ class ShapeReader {
 
   Diagnosis& diagnosis() const { return shapes_.context_.diagnosis; }
 
-  // ---- geometry: into json_ and surface_
+  // ---- geometry: into json_, and mesh_ or surface_
 
   void rectangle(Plugin&) {
     const Vector origin = moved(matrix_, {-1, -1, 0});
@@ -111,7 +111,7 @@ class ShapeReader {
     json_ = {{"type", "parallelogram"},
              {"origin", json_of(origin)},
              {"edges", {json_of(a), json_of(b)}}};
-    surface_ = placed_mesh(parallelogram(origin, a, b));
+    mesh_ = parallelogram(origin, a, b);
   }
 
   void cube(Plugin&) { add_mesh(unit_cube(), "cube"); }
@@ -148,7 +148,8 @@ class ShapeReader {
     if (!(radius > 0)) return diagnosis().fault(shape.where("radius"), "a radius is > 0");
     const bool inwards = mirrors(matrix_) != turned_;
     matrix_ = matrix_ * translation(center) * scaling(Vector(radius));
-    const double size = (length_of(0) + length_of(1) + length_of(2)) / 3;
+    const auto [least, most] = std::minmax({length_of(0), length_of(1), length_of(2)});
+    const double size = least + (most - least) / 2;
     if (!is_similarity(size)) {
       diagnosis().inexact(shape.element(), "an ellipsoid",
                           fmt::format("a mesh of {} sides", sides_of_round));
@@ -185,7 +186,7 @@ class ShapeReader {
   void put(const std::string& path, const Triangles& mesh) {
     json_ = {{"type", "mesh"}, {"file", path}};
     if (matrix_ != Matrix(1)) json_["transform"] = rows_of(matrix_);
-    surface_ = placed_mesh(placed(mesh, matrix_));
+    mesh_ = placed(mesh, matrix_);
   }
 
   void file_mesh(Plugin& shape) {
@@ -209,8 +210,8 @@ class ShapeReader {
       MeshShading shading;
       if (!flat) shading = is_ply ? shading_of_ply(mesh, normals) : shading_of_obj(mesh, bytes);
       if (shading.normals == MeshShading::Normals::smooth)
-        diagnosis().inexact(shape.element(), "the smooth normals of a mesh",
-                            "those of its triangles");
+        diagnosis().inexact(shape.element(), "the smooth shading of a mesh",
+                            "the flat one of its triangles");
       copy(std::move(bytes), path.stem().string() + (is_ply ? ".ply" : ".obj"), mesh, shading);
     } catch (const MeshFileError& error) {
       diagnosis().fault(where, fmt::format("{}: {}", excerpt(name), error.what()));
@@ -252,8 +253,9 @@ class ShapeReader {
       json_["name"] = printable(id);
     shapes_.json_.push_back(std::move(json_));
     shapes_.sources_.push_back(&shape.element());
-    shapes_.surfaces_.push_back(std::move(surface_));
-    shapes_.sides_.push_back(material.sides);
+    if (!surface_) surface_ = placed_mesh(std::move(mesh_), material.back);
+    surface_->back = material.back;
+    shapes_.surfaces_.push_back(std::move(*surface_));
   }
 
   ImportedMaterial material_of(Plugin& shape, bool is_light) {
@@ -287,7 +289,8 @@ class ShapeReader {
   Matrix matrix_{1};
   bool turned_ = false;  // flip_normals
   ordered_json json_;    // null: nothing is imported
-  PlacedSurface surface_;
+  Triangles mesh_;       // in its place; of a sphere there is a surface
+  std::optional<PlacedSurface> surface_;
 };
 
 const std::vector<std::pair<std::string_view, ShapeReader::Read>>& ShapeReader::kinds() {
@@ -305,7 +308,7 @@ void ImportedShapes::add(const XmlElement& shape) { ShapeReader(*this).read(shap
 void ImportedShapes::look_behind(std::span<const glm::dvec3> eyes) {
   const std::vector<bool> seen = seen_from_behind(surfaces_, eyes);
   for (std::size_t i = 0; i < seen.size(); ++i)
-    if (seen[i] && sides_[i] == ImportedMaterial::Sides::front)
+    if (seen[i])
       context_.diagnosis.inexact(*sources_[i],
                                  "a surface that is black from behind, where it can be seen,",
                                  "one that is the same from both sides");

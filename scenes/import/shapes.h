@@ -34,7 +34,6 @@ class ImportedShapes {
   nlohmann::ordered_json json_ = nlohmann::ordered_json::array();
   std::vector<const XmlElement*> sources_;
   std::vector<PlacedSurface> surfaces_;
-  std::vector<ImportedMaterial::Sides> sides_;
 };
 
 }  // namespace wander

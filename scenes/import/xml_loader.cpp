@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20;
 constexpr int deepest = 64;  // elements within each other
-constexpr std::size_t most_includes = 1000, deepest_include = 15;
+constexpr std::size_t most_includes = 1000, deepest_include = 15, most_elements = 2'000'000;
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_name_character(char c) {
@@ -147,6 +147,10 @@ class Loader {
 
   XmlElement read(pugi::xml_node node, const XmlPlace& place) {
     XmlElement element;
+    if (++elements_ > most_elements) {
+      diagnosis_.fault(place, fmt::format("the scene has more than {} elements", most_elements));
+      diagnosis_.require_sound();
+    }
     element.tag = node.name();
     element.place = place;
     for (const pugi::xml_attribute attribute : node.attributes())
@@ -227,7 +231,7 @@ class Loader {
   std::set<std::string> used_;
   std::vector<std::string> declared_;
   std::vector<fs::path> open_;
-  std::size_t included_ = 0;
+  std::size_t included_ = 0, elements_ = 0;
   Document* document_ = nullptr;
   Places* places_ = nullptr;
 };

@@ -109,6 +109,7 @@ AREAS = {
     "F": "Primary sample space",
     "G": "Deposits, normalization, film",
     "H": "Robustness",
+    "I": "Importing",
     "M": "Materials",
     "N": "Random numbers and arithmetic",
     "O": "Output",

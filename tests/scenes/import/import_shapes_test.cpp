@@ -229,8 +229,8 @@ TEST_F(ImportedShapesOf, MeshesThatMitsubaSmoothsAreFlatOnlyApproximately) {
   const auto file = [&](const char* name) {
     return shape("obj", std::string("<string name='filename' value='") + name + "'/>");
   };
-  approximate(file("roof.obj"), "the smooth normals of a mesh");
-  approximate(file("bent.obj"), "the smooth normals of a mesh");
+  approximate(file("roof.obj"), "the smooth shading of a mesh");
+  approximate(file("bent.obj"), "the smooth shading of a mesh");
   exact(file("creased.obj"));
   exact(shape(
       "obj",
