@@ -239,7 +239,7 @@ TEST_F(TrajectoryFile, HasTheFacesOfASceneInSpace) {
             (std::vector<double>{0.55, 0.3, 0.4}));
   EXPECT_EQ(faces.radius[6], 0.2);
   constants.read("radiance", faces.size(), values);
-  EXPECT_DOUBLE_EQ(values[7], luminance({9, 7, 4}));
+  EXPECT_DOUBLE_EQ(values[7], luminance(std::array<double, 3>{9, 7, 4}));
   constants.read("camera_up", 3, values);
   EXPECT_EQ(values, (std::vector<double>{0, 1, 0}));
 }
