@@ -53,9 +53,10 @@ TEST_F(CommandFaults, OfAllContendersAreToldOnce) {
     {"type": "sphere", "center": [0, 3, 0], "radius": 0.5, "light": {"radiance": 5}},
     {"type": "triangle", "points": [[0, 0, 0], [1, 0, 0], [0, 0, -1]],
      "sensor": {"resolution": [8, 4]}}]})");
-  const Outcome outcome = wander("compare space.json -m pt,bdpt,mlt -b 1k -o out");
+  const Outcome outcome =
+      wander("compare space.json -m pt,bdpt,mlt -b 1k --precision float -o out");
   EXPECT_EQ(outcome.exit_code, 2);
-  const std::string refusal = "no methods for scenes of 3 dimensions";
+  const std::string refusal = "scenes of 3 dimensions cannot be computed in precision float";
   const std::size_t first = outcome.err.find(refusal);
   ASSERT_NE(first, std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find(refusal, first + 1), std::string::npos) << outcome.err;
