@@ -54,7 +54,7 @@ TEST_F(CommandFaults, OfAllContendersAreToldOnce) {
     {"type": "triangle", "points": [[0, 0, 0], [1, 0, 0], [0, 0, -1]],
      "sensor": {"resolution": [8, 4]}}]})");
   const Outcome outcome =
-      wander("compare space.json -m pt,bdpt,mlt -b 1k --precision float -o out");
+      wander("compare space.json -m pt,bdpt --sweep precision=float -b 1k -o out");
   EXPECT_EQ(outcome.exit_code, 2);
   const std::string refusal = "scenes of 3 dimensions cannot be computed in precision float";
   const std::size_t first = outcome.err.find(refusal);
