@@ -138,12 +138,12 @@ class FurnaceSphere : public ::testing::TestWithParam<const char*> {
 
 TEST_P(FurnaceSphere, HasTheFilmThatIsKnown) {
   description::Scene scene = open_scene("gallery:furnace-sphere").scene;
-  scene.camera->resolution = {4, 4};
+  scene.camera->resolution = {2, 2};
   Session session;
   session.budget = SampleBudget{60'000};
   session.threads = 2;
   const FilmEstimate film = render(Job(scene, find_method(GetParam())), session).film;
-  FilmEstimate exact = exact_film(16, 6), shorter = exact_film(16, 0);
+  FilmEstimate exact = exact_film(4, 6), shorter = exact_film(4, 0);
   exact.shape = shorter.shape = film.shape;
   EXPECT_TRUE(passes(films_agree(film, exact, 1e-9)));
   EXPECT_TRUE(rejects(films_agree(film, shorter, 1e-9)));
