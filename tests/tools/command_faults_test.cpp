@@ -49,17 +49,26 @@ TEST_F(CommandFaults, AreOneDocumentWithJson) {
 
 // In the same words, though each contender meets it.
 TEST_F(CommandFaults, OfAllContendersAreToldOnce) {
+  write("dim.json", R"({"format": "wanderlight-scene/1", "dimension": 2, "shapes": [
+    {"type": "segment", "from": [1, 1], "to": [0, 1], "light": {"radiance": 1e-40}},
+    {"type": "segment", "from": [0, 0], "to": [1, 0], "sensor": {"bins": 8}}]})");
+  const Outcome outcome =
+      wander("compare dim.json -m pt,bdpt --sweep precision=float -b 1k -o out");
+  EXPECT_EQ(outcome.exit_code, 2);
+  const std::string refusal = "cannot hold this scene";
+  const std::size_t first = outcome.err.find(refusal);
+  ASSERT_NE(first, std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find(refusal, first + 1), std::string::npos) << outcome.err;
+}
+
+TEST_F(CommandFaults, AComparisonInSpaceIsRefusedBeforeItBegins) {
   write("space.json", R"({"format": "wanderlight-scene/1", "dimension": 3, "shapes": [
     {"type": "sphere", "center": [0, 3, 0], "radius": 0.5, "light": {"radiance": 5}},
     {"type": "triangle", "points": [[0, 0, 0], [1, 0, 0], [0, 0, -1]],
      "sensor": {"resolution": [8, 4]}}]})");
-  const Outcome outcome =
-      wander("compare space.json -m pt,bdpt --sweep precision=float -b 1k -o out");
+  const Outcome outcome = wander("compare space.json -m pt,bdpt -b 1k -o out");
   EXPECT_EQ(outcome.exit_code, 2);
-  const std::string refusal = "scenes of 3 dimensions cannot be computed in precision float";
-  const std::size_t first = outcome.err.find(refusal);
-  ASSERT_NE(first, std::string::npos) << outcome.err;
-  EXPECT_EQ(outcome.err.find(refusal, first + 1), std::string::npos) << outcome.err;
+  EXPECT_HAS(outcome.err, "compare is for scenes in the plane");
 }
 
 TEST_F(CommandFaults, AnOptionThatIsGivenTwiceIsNamedWithWhatItTakes) {
