@@ -10,6 +10,7 @@ namespace {
 
 struct Found {
   int vertices, technique, bin;
+  double value;  // luminance
   std::array<double, 3> light;
 };
 
@@ -24,7 +25,7 @@ std::vector<Found> found_in(const description::Scene& description) {
   for (std::uint64_t i = 0; i < 3000; ++i) {
     rng.start(i);
     sampler.sample(rng, [&](const Path<W>& x, int s, double value) {
-      Found found{x.size(), s, space.bin(x), {value, value, value}};
+      Found found{x.size(), s, space.bin(x), value, {value, value, value}};
       if constexpr (W::channels == 3)
         for (std::size_t k = 0; k < 3; ++k) found.light[k] *= colour(x)[static_cast<int>(k)];
       all.push_back(found);
@@ -48,8 +49,8 @@ TEST(Colour, OfAPathIsItsLightInEachChannel) {
   }
 }
 
-// The wrong twin: colours multiplied in the wrong order of operations, as if the luminance of a
-// product were the product of luminances.
+// The wrong twin: a contribution that is the product of luminances differs from the luminance of the
+// product by more than 1e-3 on more than a tenth of all paths.
 TEST(Colour, IsNotTheProductOfLuminances) {
   const std::vector<Found> coloured = found_in<SpacelandColour>(coloured_box());
   const std::vector<Found> grey = found_in<Spaceland>(coloured_box());
@@ -62,7 +63,8 @@ TEST(Colour, IsNotTheProductOfLuminances) {
 }
 
 TEST(Colour, HasLuminanceOneBesideItsLight) {
-  for (const Found& found : found_in<SpacelandColour>(coloured_box())) EXPECT_GT(found.light[0], 0);
+  for (const Found& found : found_in<SpacelandColour>(coloured_box()))
+    EXPECT_NEAR(luminance(found.light), found.value, 1e-13 * found.value);
   EXPECT_DOUBLE_EQ(luminance(Tint<3>::of({0.3, 0.2, 0.9})), 1);
   EXPECT_EQ(Tint<3>::of({0, 0, 0}).colour, (std::array<double, 3>{1, 1, 1}));
   EXPECT_TRUE(std::is_empty_v<Tint<1>>);
