@@ -55,7 +55,7 @@ Scene<W>::Scene(SceneParts<W> parts)
     Surface<W>& light = surfaces_[static_cast<std::size_t>(id)];
     light.light_density = static_cast<Real>(static_cast<double>(light.radiance) / power);
   }
-  bvh_ = Bvh<W>(shapes_);
+  accelerator_ = SceneAccelerator<W>(shapes_);
 }
 
 template <World W>

@@ -11,7 +11,7 @@
 #include <span>
 
 #include "core/camera.h"
-#include "core/geometry/bvh.h"
+#include "core/geometry/accelerator.h"
 #include "core/material.h"
 
 namespace wander {
@@ -81,11 +81,11 @@ class Scene {
 
   Hit<W> closest(const Ray<W>& ray) const {
     if (log_) log_->closest.push_back(ray);
-    return bvh_.closest(ray);
+    return accelerator_.closest(ray);
   }
   bool occluded(const Ray<W>& ray) const {
     if (log_) log_->any.push_back(ray);
-    return bvh_.any(ray);
+    return accelerator_.any(ray);
   }
   SurfacePoint<W> surface_point(const Ray<W>& ray, const Hit<W>& hit) const {
     return visit_shape([&](const auto& s) { return s.surface(ray, hit); }, shape(hit.shape));
@@ -100,7 +100,7 @@ class Scene {
   std::vector<Material<W>> materials_;
   std::vector<ShapeId> lights_;
   std::vector<double> light_pmf_;
-  Bvh<W> bvh_;
+  SceneAccelerator<W> accelerator_;
   ShapeId sensor_ = no_shape;
   std::optional<Camera<W>> camera_;
   std::vector<int> resolution_;

@@ -1,13 +1,11 @@
-// A hierarchy of bounding boxes over the primitives of a scene's shapes, in any dimension.
-//
-// Built once by the surface-area heuristic (in the plane: perimeter), deterministic, and invariant
-// when a scene is multiplied by a power of two.  Few primitives make a single leaf, so a small scene
-// pays for no hierarchy.
+// A binary hierarchy of bounding boxes over the primitives of a scene's shapes, in the precision of
+// their lengths and in any dimension.  Few primitives make a single leaf, so a small scene pays for
+// no hierarchy.
 #pragma once
 
 #include <span>
 
-#include "core/geometry/shape.h"
+#include "core/geometry/box_tree.h"
 
 namespace wander {
 
@@ -35,6 +33,7 @@ struct BvhItem<W, 3> {
 template <World W>
 class Bvh {
  public:
+  using Universe = W;
   using Length = typename W::Length;
 
   Bvh() = default;
@@ -44,12 +43,7 @@ class Bvh {
   bool any(const Ray<W>& ray) const;
 
  private:
-  struct Node {
-    Box<W> box;
-    std::int32_t first = 0;  // of its items in a leaf, of its two children otherwise
-    std::int32_t count = 0;  // of its items; 0 in an inner node
-  };
-  struct Builder;
+  using Node = typename BoxTree<W>::Node;
 
   Length distance(const BvhItem<W>& item, const ReadyRay<W>& ray) const {
     return visit_shape([&](const auto& shape) { return shape.intersect(ray, item.element); },

@@ -1,6 +1,7 @@
 #include "tests/support/extended_world.h"
 
 // The definitions that the program makes for its own worlds.
+#include "core/geometry/box_tree.cpp"
 #include "core/geometry/bvh.cpp"
 #include "core/geometry/shapes_flat.cpp"
 #include "core/material.cpp"
@@ -11,6 +12,8 @@ namespace wander {
 
 template class Segment<test::FlatlandExtended>;
 template class Arc<test::FlatlandExtended>;
+template BoxTree<test::FlatlandExtended> box_tree(std::span<const Shape<test::FlatlandExtended>>,
+                                                  LeafRule);
 template class Bvh<test::FlatlandExtended>;
 template class Scene<test::FlatlandExtended>;
 template class Transport<test::FlatlandExtended>;

@@ -1,5 +1,5 @@
-// The hierarchy finds what a search through all shapes finds, bit for bit, in both dimensions.
-#include "core/geometry/bvh.h"
+// Each hierarchy finds what a search through all shapes finds, bit for bit.
+#include "core/geometry/accelerator.h"
 
 #include <gtest/gtest.h>
 
@@ -8,9 +8,11 @@
 namespace wander::test {
 namespace {
 
-template <class W>
+template <class A>
 class Hierarchy : public ::testing::Test {
  public:
+  using W = typename A::Universe;
+  static_assert(Accelerator<A, W>);
   static constexpr int D = W::dimension;
   using Point = typename W::Point;
   using Shapes = std::vector<Shape<W>>;
@@ -105,8 +107,8 @@ class Hierarchy : public ::testing::Test {
     return hit;
   }
 };
-using Worlds = ::testing::Types<Flatland, Spaceland>;
-TYPED_TEST_SUITE(Hierarchy, Worlds);
+using Hierarchies = ::testing::Types<Bvh<Flatland>, Bvh<Spaceland>, WideBvh<Spaceland>>;
+TYPED_TEST_SUITE(Hierarchy, Hierarchies);
 
 TYPED_TEST(Hierarchy, FindsTheClosestHit) {
   Generator g(1);
@@ -114,7 +116,7 @@ TYPED_TEST(Hierarchy, FindsTheClosestHit) {
   for (int scene = 0; scene < 300; ++scene) {
     const auto shapes =
         TestFixture::random_shapes(g, static_cast<int>(std::pow(10, 3 * g.uniform())));
-    const Bvh<TypeParam> bvh(shapes);
+    const TypeParam bvh(shapes);
     for (int i = 0; i < 200; ++i) {
       const auto ray = TestFixture::random_ray(g, shapes);
       const auto expected = TestFixture::search(shapes, ray);
@@ -133,7 +135,7 @@ TYPED_TEST(Hierarchy, FindsTheClosestHit) {
 }
 
 TYPED_TEST(Hierarchy, OfNothingIsHitByNothing) {
-  const Bvh<TypeParam> bvh(std::span<const Shape<TypeParam>>{});
+  const TypeParam bvh(std::span<const Shape<typename TestFixture::W>>{});
   Generator g(2);
   const auto ray = TestFixture::random_ray(g, {});
   EXPECT_FALSE(bvh.closest(ray));
@@ -146,7 +148,7 @@ TYPED_TEST(Hierarchy, IsBlindToPowersOfTwo) {
     Generator g(3), scaled_g(3);
     const auto shapes = TestFixture::random_shapes(g, 400);
     const auto scaled = TestFixture::random_shapes(scaled_g, 400, unit);
-    const Bvh<TypeParam> bvh(shapes), scaled_bvh(scaled);
+    const TypeParam bvh(shapes), scaled_bvh(scaled);
     for (int i = 0; i < 2000; ++i) {
       const auto ray = TestFixture::random_ray(g, shapes);
       const auto scaled_ray = TestFixture::random_ray(scaled_g, scaled, unit);
@@ -164,7 +166,7 @@ TYPED_TEST(Hierarchy, IsBlindToPowersOfTwo) {
 TYPED_TEST(Hierarchy, HoldsShapesThatCoincide) {
   Generator g(4);
   const typename TestFixture::Shapes shapes(1000, TestFixture::random_shape(g, 1));
-  const Bvh<TypeParam> bvh(shapes);
+  const TypeParam bvh(shapes);
   for (int i = 0; i < 100; ++i) {
     const auto ray = TestFixture::random_ray(g, shapes);
     const auto expected = TestFixture::search(shapes, ray), hit = bvh.closest(ray);
@@ -195,7 +197,7 @@ TEST(Boxes, HoldWhatRoundingMakesOfTheEndsOfTheirShapes) {
       const Point target = corners[static_cast<std::size_t>(count * g.uniform())];
       const Point origin = target + reach * (0.5 + g.uniform()) * random_direction<2>(g);
       const Ray<Flatland> ray{.origin = origin, .direction = glm::normalize(target - origin)};
-      const auto expected = Hierarchy<Flatland>::search(shapes, ray);
+      const auto expected = Hierarchy<Bvh<Flatland>>::search(shapes, ray);
       const auto hit = bvh.closest(ray);
       ASSERT_EQ(bool(hit), bool(expected)) << "corner at " << target.x << ", " << target.y;
       ASSERT_EQ(bvh.any(ray), bool(expected));
@@ -222,12 +224,50 @@ TEST(Boxes, HoldWhatRoundingMakesOfTheSummitsOfTheirShapes) {
     const double slope = 1e-16 * (2 * g.uniform() - 1), reach = 1e-3 + radius * g.uniform();
     const Ray<Flatland> ray{.origin = center + radius * up + reach * along,
                             .direction = slope * up - along};
-    const auto expected = Hierarchy<Flatland>::search(shapes, ray);
+    const auto expected = Hierarchy<Bvh<Flatland>>::search(shapes, ray);
     ASSERT_EQ(bool(bvh.closest(ray)), bool(expected)) << "ray " << i;
     ASSERT_EQ(bvh.any(ray), bool(expected));
     if (expected) ++hits;
   }
   EXPECT_GT(hits, 1000);
+}
+
+// The same in space, where boxes are held in single precision: rays at the corners of a shell of
+// triangles, from far away, and of one that lies far from the origin of the coordinates.
+TEST(Boxes, HoldWhatRoundingMakesOfTheCornersOfTriangles) {
+  using W = Spaceland;
+  constexpr int rows = 24;
+  Generator g(7);
+  for (const auto& [place, reach] : {std::pair(0.0, 1e7), {0.0, 1.5}, {1e7, 1.5}}) {
+    const W::Point center(place, 0.7 * place, -0.3 * place);
+    const auto corner = [&](int row, int column) {
+      const double theta = std::numbers::pi * row / rows,
+                   phi = 2 * std::numbers::pi * (column % rows) / rows;
+      return center + W::Point(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                               std::cos(theta));
+    };
+    std::vector<Shape<W>> shapes;
+    for (int row = 1; row + 1 < rows; ++row)
+      for (int column = 0; column < rows; ++column) {
+        const W::Point a = corner(row, column), b = corner(row, column + 1),
+                       c = corner(row + 1, column), d = corner(row + 1, column + 1);
+        shapes.push_back(Triangle<W>(a, c, b));
+        shapes.push_back(Triangle<W>(b, c, d));
+      }
+    const WideBvh<W> hierarchy(shapes);
+    int hits = 0;
+    for (int i = 0; i < 5'000; ++i) {
+      const W::Point target = corner(1 + static_cast<int>((rows - 2) * g.uniform()),
+                                     static_cast<int>(rows * g.uniform()));
+      const W::Point origin = target + reach * (0.5 + g.uniform()) * random_direction<3>(g);
+      const Ray<W> ray{.origin = origin, .direction = glm::normalize(target - origin)};
+      const auto expected = Hierarchy<WideBvh<W>>::search(shapes, ray);
+      ASSERT_EQ(bool(hierarchy.closest(ray)), bool(expected)) << "ray " << i;
+      ASSERT_EQ(hierarchy.any(ray), bool(expected));
+      if (expected) ++hits;
+    }
+    EXPECT_GT(hits, 1000);
+  }
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "core/geometry/bvh.h"
+#include "core/geometry/accelerator.h"
 #include "tests/core/directions.h"
 #include "tests/core/geometry/meshes.h"
 
@@ -111,8 +111,8 @@ MeshLeaks count_leaks(std::uint64_t seed, int meshes, int rays, MakeHits make_hi
 
 inline auto by_hierarchy(const MeshRays& draws) {
   auto shapes = std::make_shared<std::vector<Shape<Spaceland>>>(1, draws.shape());
-  return [shapes, bvh = Bvh<Spaceland>(*shapes)](const Ray<Spaceland>& ray) {
-    return bool(bvh.closest(ray)) && bvh.any(ray);
+  return [shapes, hierarchy = SceneAccelerator<Spaceland>(*shapes)](const Ray<Spaceland>& ray) {
+    return bool(hierarchy.closest(ray)) && hierarchy.any(ray);
   };
 }
 

@@ -60,7 +60,7 @@ TEST(ClosedMeshes, LetNoLightOutOfSharpWedges) {
                      {1, 4, 5}, {1, 5, 2}, {0, 1, 2}, {3, 5, 4}};
     const auto mesh = std::make_shared<const Triangles>(wedge);
     const std::vector<Shape<W>> shapes{Mesh<W>(mesh, Mesh<W>::Role::emitter)};
-    const Bvh<W> bvh(shapes);
+    const SceneAccelerator<W> hierarchy(shapes);
     for (int k = 0; k < 1000; ++k) {
       const auto triangle = static_cast<std::int32_t>(2 * g.uniform());
       const Point a = corner_of(*mesh, triangle, 0), b = corner_of(*mesh, triangle, 1),
@@ -68,9 +68,9 @@ TEST(ClosedMeshes, LetNoLightOutOfSharpWedges) {
       const double u = 0.1 + 0.4 * g.uniform(), v = 0.1 + 0.3 * g.uniform();
       const auto local = Dimension<3>::cosine_sample(random_square<3>(g));
       ++rays;
-      escaped += !bvh.closest({.origin = a + u * (b - a) + v * (c - a),
-                               .direction = Frame<3, double>{frame.normal}.to_world(local),
-                               .from = Element<W>(0, triangle)});
+      escaped += !hierarchy.closest({.origin = a + u * (b - a) + v * (c - a),
+                                     .direction = Frame<3, double>{frame.normal}.to_world(local),
+                                     .from = Element<W>(0, triangle)});
     }
   }
   EXPECT_EQ(escaped, 0) << "of " << rays;
@@ -82,14 +82,14 @@ TEST(ClosedMeshes, AreNotMetByWhatLeavesThem) {
   for (const double scale : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
     const auto mesh = std::make_shared<const Triangles>(ball_mesh(g, 40, 0, Point(0), scale));
     const std::vector<Shape<W>> shapes{Mesh<W>(mesh, Mesh<W>::Role::emitter)};
-    const Bvh<W> bvh(shapes);
+    const SceneAccelerator<W> hierarchy(shapes);
     int met = 0;
     for (int i = 0; i < 20'000; ++i) {
       const auto start = std::get<Mesh<W>>(shapes[0]).sample(random_square<3>(g));
       const auto local = Dimension<3>::cosine_sample(random_square<3>(g));
-      met += bvh.any({.origin = start.position,
-                      .direction = Frame<3, double>{start.normal}.to_world(local),
-                      .from = Element<W>(0, start.primitive)});
+      met += hierarchy.any({.origin = start.position,
+                            .direction = Frame<3, double>{start.normal}.to_world(local),
+                            .from = Element<W>(0, start.primitive)});
     }
     EXPECT_EQ(met, 0) << scale;
   }
@@ -101,13 +101,13 @@ TEST(Parallelograms, LetNoLightOutWhereTheyShareCorners) {
   const std::vector<Shape<W>> room{Parallelogram<W>(o, x, y), Parallelogram<W>(z, y, x),
                                    Parallelogram<W>(o, y, z), Parallelogram<W>(x, z, y),
                                    Parallelogram<W>(o, z, x), Parallelogram<W>(y, x, z)};
-  const Bvh<W> bvh(room);
+  const SceneAccelerator<W> hierarchy(room);
   Generator g(4);
   for (int i = 0; i < 200'000; ++i) {
     const Point origin(0.1 + 0.8 * g.uniform(), 0.1 + 0.8 * g.uniform(), 0.1 + 0.8 * g.uniform());
     Point aim(g.uniform() < 0.5, g.uniform() < 0.5, g.uniform() < 0.5);
     if (g.uniform() < 0.5) aim[static_cast<int>(3 * g.uniform())] = g.uniform();
-    ASSERT_TRUE(bvh.closest({.origin = origin, .direction = aim - origin}));
+    ASSERT_TRUE(hierarchy.closest({.origin = origin, .direction = aim - origin}));
   }
 }
 
@@ -246,7 +246,7 @@ TEST(Meshes, AreBlindToPowersOfTwo) {
 TEST(Meshes, AreLeftByTheTriangleAndMetByTheOthers) {
   const auto mesh = std::make_shared<const Triangles>(box_mesh(Point(0), Point(1)));
   const std::vector<Shape<W>> shapes{Mesh<W>(mesh, Mesh<W>::Role::emitter)};
-  const Bvh<W> bvh(shapes);
+  const SceneAccelerator<W> hierarchy(shapes);
   Generator g(9);
   const auto& box = std::get<Mesh<W>>(shapes[0]);
   for (int i = 0; i < 20'000; ++i) {
@@ -257,11 +257,11 @@ TEST(Meshes, AreLeftByTheTriangleAndMetByTheOthers) {
                      .from = Element<W>(0, a.primitive),
                      .to = Element<W>(0, b.primitive),
                      .limit = 1};
-    ASSERT_FALSE(bvh.any(ray));
+    ASSERT_FALSE(hierarchy.any(ray));
     Ray<W> on = ray;
     on.to = {};
     on.limit = std::numeric_limits<double>::infinity();
-    const Hit<W> hit = bvh.closest(on);
+    const Hit<W> hit = hierarchy.closest(on);
     ASSERT_EQ(hit.primitive, b.primitive);
     ASSERT_NEAR(hit.distance, 1, 1e-12);
   }

@@ -1,0 +1,221 @@
+#include "core/geometry/wide_bvh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace wander {
+
+namespace {
+
+constexpr float never = std::numeric_limits<float>::infinity();
+
+// Single precision on either side of a number, by at least what the conversion rounds.
+float outside(double x, float side) {
+  const auto nearest = static_cast<float>(x);
+  return nearest + side * (std::abs(nearest) * std::numeric_limits<float>::epsilon() +
+                           std::numeric_limits<float>::min());
+}
+float rounded_down(double x) { return outside(x, -1); }
+float rounded_up(double x) { return outside(x, 1); }
+
+}  // namespace
+
+// ---- construction: several levels of a binary tree become one
+
+template <World W>
+struct WideBvh<W>::Builder {
+  using Tree = BoxTree<W>;
+  using TreeNode = typename Tree::Node;
+
+  const Tree& tree;
+  WideBvh& bvh;
+
+  const TreeNode& at(std::int32_t node) const { return tree.nodes[static_cast<std::size_t>(node)]; }
+
+  void build() {
+    const Box<W>& all = tree.nodes.front().box;
+    bvh.center_ = all.low + (all.high - all.low) / Length(2);
+    Length extent = 0;
+    for (int axis = 0; axis < W::dimension; ++axis)
+      extent = std::max(extent, all.high[axis] - all.low[axis]);
+    bvh.scale_ = std::ldexp(Length(1), -std::ilogb(extent));
+    if (at(0).count == 0) fill(add_node(), 0);
+  }
+
+  std::int32_t add_node() {
+    Node node;
+    for (auto& planes : node.planes) {
+      planes[low] = Lanes{} + never;
+      planes[high] = Lanes{} - never;
+    }
+    bvh.nodes_.push_back(node);
+    return static_cast<std::int32_t>(bvh.nodes_.size()) - 1;
+  }
+
+  // The nodes of the tree that become children: the largest is opened as long as there is room.
+  std::vector<std::int32_t> opened(std::int32_t root) const {
+    std::vector<std::int32_t> open{at(root).first, at(root).first + 1};
+    while (open.size() < width) {
+      std::int32_t* largest = nullptr;
+      for (std::int32_t& node : open)
+        if (at(node).count == 0 &&
+            (!largest || boundary(at(node).box) > boundary(at(*largest).box)))
+          largest = &node;
+      if (!largest) break;
+      const std::int32_t first = at(*largest).first;
+      *largest = first;
+      open.push_back(first + 1);
+    }
+    return open;
+  }
+
+  void fill(std::int32_t node, std::int32_t from) {
+    std::size_t lane = 0;
+    for (const std::int32_t part : opened(from)) {
+      set_box(bvh.nodes_[static_cast<std::size_t>(node)], lane, at(part).box);
+      Child child{at(part).first, at(part).count};
+      if (child.count == 0) {
+        child.first = add_node();
+        fill(child.first, part);
+      }
+      bvh.nodes_[static_cast<std::size_t>(node)].children[lane++] = child;
+    }
+  }
+
+  void set_box(Node& node, std::size_t lane, const Box<W>& box) const {
+    for (int axis = 0; axis < W::dimension; ++axis) {
+      auto& planes = node.planes[static_cast<std::size_t>(axis)];
+      planes[low][lane] = rounded_down((box.low[axis] - bvh.center_[axis]) * bvh.scale_);
+      planes[high][lane] = rounded_up((box.high[axis] - bvh.center_[axis]) * bvh.scale_);
+    }
+  }
+};
+
+template <World W>
+WideBvh<W>::WideBvh(std::span<const Shape<W>> shapes) : shapes_(shapes) {
+  constexpr LeafRule boxes_are_cheap{.small = 1, .large = 4, .node_cost = 0.3};
+  BoxTree<W> tree = box_tree<W>(shapes, boxes_are_cheap);
+  if (!tree.elements.empty()) Builder{tree, *this}.build();
+  elements_ = std::move(tree.elements);
+}
+
+// ---- traversal
+
+// A ray against the boxes of a node.
+template <World W>
+struct WideBvh<W>::Slabs {
+  struct Axis {
+    Side near, far;         // which planes the ray meets first, and last
+    float to_near, to_far;  // the origin, rounded so that distances become less, and more
+    float inverse;          // of the direction
+  };
+  std::array<Axis, W::dimension> axes;
+
+  // Of (plane - origin) · inverse each step rounds once: relative errors of up to 3 ε/2, for the
+  // entry and for the exit; the limit is rounded once more.
+  static constexpr float widening = 1 + 8 * std::numeric_limits<float>::epsilon();
+
+  Slabs(const Ray<W>& ray, const Point& center, Length scale) {
+    for (int axis = 0; axis < W::dimension; ++axis) {
+      const Length origin = (ray.origin[axis] - center[axis]) * scale;
+      const auto inverse = static_cast<float>(1 / (ray.direction[axis] * scale));
+      const float under = rounded_down(origin), over = rounded_up(origin);
+      const bool rises = !std::signbit(inverse);
+      axes[static_cast<std::size_t>(axis)] = {rises ? low : high, rises ? high : low,
+                                              rises ? over : under, rises ? under : over, inverse};
+    }
+  }
+
+  // Where the ray enters each box; never, if not before `limit`.
+  Lanes enter(const Node& node, float limit) const {
+    Lanes near{}, far = Lanes{} + limit;
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      const Axis& axis = axes[i];
+      const Lanes first = (node.planes[i][axis.near] - axis.to_near) * axis.inverse;
+      const Lanes last = (node.planes[i][axis.far] - axis.to_far) * axis.inverse;
+      // Written so that NaN (a ray within a slab's plane) leaves the interval as it is.
+      near = first > near ? first : near;
+      far = last < far ? last : far;
+    }
+    return near <= far * widening ? near : Lanes{} + never;
+  }
+};
+
+template <World W>
+template <class Leaf>
+void WideBvh<W>::traverse(const Ray<W>& ray, Leaf&& leaf) const {
+  if (nodes_.empty()) {
+    leaf(Child{0, static_cast<std::int32_t>(elements_.size())}, ray.limit);
+    return;
+  }
+  const Slabs slabs(ray, center_, scale_);
+  struct Entry {
+    Child child;
+    float distance;
+  };
+  std::array<Entry, BoxTree<W>::depth_limit*(width - 1) + 1> stack;
+  std::size_t height = 0;
+  Length limit = ray.limit;
+  auto limit_of_boxes = static_cast<float>(limit) * Slabs::widening;
+  Entry entry{{0, 0}, 0};
+  for (;;) {
+    if (entry.child.count > 0) {
+      limit = leaf(entry.child, limit);
+      limit_of_boxes = static_cast<float>(limit) * Slabs::widening;
+    } else {
+      const Node& node = nodes_[static_cast<std::size_t>(entry.child.first)];
+      const Lanes distances = slabs.enter(node, limit_of_boxes);
+      const std::size_t bottom = height;
+      for (std::size_t i = 0; i < width; ++i) {
+        const float distance = distances[i];
+        if (!(distance < never)) continue;
+        // The nearest comes to lie on top.
+        std::size_t at = height++;
+        for (; at > bottom && stack[at - 1].distance < distance; --at) stack[at] = stack[at - 1];
+        stack[at] = {node.children[i], distance};
+      }
+    }
+    do {
+      if (height == 0) return;
+      entry = stack[--height];
+    } while (entry.distance > limit_of_boxes);
+  }
+}
+
+template <World W>
+Hit<W> WideBvh<W>::closest(const Ray<W>& ray) const {
+  Hit<W> hit;
+  ReadyRay<W> shortened = ray;
+  traverse(ray, [&](Child leaf, Length limit) {
+    shortened.limit = limit;
+    for (std::int32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+      const Element<W> element = elements_[static_cast<std::size_t>(i)];
+      const Length found = distance(element, shortened);
+      if (found < shortened.limit) {
+        shortened.limit = found;
+        hit = {element.shape, found, element.primitive};
+      }
+    }
+    return shortened.limit;
+  });
+  return hit;
+}
+
+template <World W>
+bool WideBvh<W>::any(const Ray<W>& ray) const {
+  bool found = false;
+  const ReadyRay<W> ready = ray;
+  traverse(ray, [&](Child leaf, Length limit) {
+    for (std::int32_t i = leaf.first; i < leaf.first + leaf.count && !found; ++i)
+      found = distance(elements_[static_cast<std::size_t>(i)], ready) < ray.limit;
+    return found ? Length(-1) : limit;
+  });
+  return found;
+}
+
+template class WideBvh<Spaceland>;
+template class WideBvh<SpacelandColour>;
+
+}  // namespace wander
