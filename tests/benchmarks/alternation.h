@@ -31,13 +31,13 @@ struct AlternationTotals {
 
 // A Worker has `static constexpr int items_per_turn`; a `take_turn()` that depends on nothing but
 // the worker's own state; and copies that take the same turns.
-template <class Worker>
-void alternate(benchmark::State& state, Scene<Flatland>& scene, std::vector<Worker>& workers,
+template <World W, class Worker>
+void alternate(benchmark::State& state, Scene<W>& scene, std::vector<Worker>& workers,
                const char* rate) {
   using Clock = std::chrono::steady_clock;
   const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
   const std::size_t count = workers.size();
-  std::vector<RayLog<Flatland>> logs(count);
+  std::vector<RayLog<W>> logs(count);
   AlternationTotals totals;
   for (auto _ : state) {
     for (std::size_t k = 0; k < count; ++k) {

@@ -9,10 +9,13 @@
 namespace wander {
 
 // Throws std::runtime_error when the gallery has no such scene.
-std::unique_ptr<Scene<Flatland>> bench_scene(std::string_view name);
+template <World W>
+std::unique_ptr<Scene<W>> bench_scene(std::string_view name);
 
 // Casts all rays of the log again.  The sum of what they met, for an optimiser to respect.
-double cast_closest(const Scene<Flatland>& scene, const RayLog<Flatland>& log);
-double cast_any(const Scene<Flatland>& scene, const RayLog<Flatland>& log);
+template <World W>
+double cast_closest(const Scene<W>& scene, const RayLog<W>& log);
+template <World W>
+double cast_any(const Scene<W>& scene, const RayLog<W>& log);
 
 }  // namespace wander

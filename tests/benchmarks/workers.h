@@ -1,7 +1,7 @@
 // What is measured: samples and mutations as the renderers make them, up to the film.
 #pragma once
 
-#include "core/film.h"
+#include "core/large_sample_film.h"
 #include "mlt/run/deposit.h"
 #include "mlt/seeds/seed_pass.h"
 #include "mlt/watch/functionals.h"
@@ -10,59 +10,73 @@
 
 namespace wander {
 
-using Light = Transport<Flatland>;
-
 // Bidirectional samples, as lab/estimate.cpp makes them.  Each worker has a range of samples.
+template <World W>
 class SampleWorker {
  public:
   static constexpr int items_per_turn = 64;
 
-  SampleWorker(const Light& transport, std::uint64_t first)
+  SampleWorker(const Transport<W>& transport, std::uint64_t first)
       : transport_(transport),
         sampler_(transport, all_techniques, Heuristic::power),
-        film_(transport.scene().bins(), transport.max_vertices()),
+        film_(transport.scene().film_shape(), transport.max_vertices(), {}),
+        part_(transport.scene().film_shape(), transport.max_vertices(), {}),
         random_(1, Purpose::estimate, 0),
         next_(first) {}
 
   void take_turn() {
     for (int i = 0; i < items_per_turn; ++i) {
       random_.start(next_++);
-      sampler_.sample(random_, [&](const Path<Flatland>& path, int s, double weighted) {
-        film_.add(path.size(), s, transport_.bin(path), weighted);
+      found_.clear();
+      sampler_.sample(random_, [&](const Path<W>& path, int s, double weighted) {
+        found_.push_back({path.size(), s, transport_.bin(path), weighted});
+        if constexpr (W::channels > 1) found_.back().tint = colour(path).colour;
       });
-      film_.end_sample();
+      part_.add(found_);
+    }
+    if constexpr (W::dimension == 3) {
+      film_.merge(part_);
+      part_.clear();
     }
   }
 
  private:
-  Light transport_;
-  PathSampler<Light> sampler_;
-  SampleFilm film_;
+  using Film = std::conditional_t<W::dimension == 3, LargeSampleFilm, SampleFilm>;
+
+  Transport<W> transport_;
+  PathSampler<Transport<W>> sampler_;
+  Film film_;
+  typename Film::Part part_;
+  Contributions found_;
   Rng random_;
   std::uint64_t next_;
 };
 
 // Mutations of one chain, as lab/render.h makes them.
+template <World W>
 class ChainWorker {
  public:
   static constexpr int items_per_turn = 128;
 
-  ChainWorker(const Light& transport, const Family& family, const Path<Flatland>& seed,
+  ChainWorker(const Transport<W>& transport, const Family& family, const Path<W>& seed,
               std::uint32_t stream)
       : transport_(transport),
         chain_(transport_, family, seed),
-        film_(transport.scene().bins(), transport.max_vertices()),
-        statistics_(Family::names, transport.scene().bins(), transport.max_vertices()),
+        film_(transport.scene().film_shape(), transport.max_vertices(), {}),
+        pixels_(values_of(transport.scene().film_shape()), 0),
+        statistics_(Family::names, FilmLayout{}.maps_of(transport.scene().resolution()),
+                    transport.max_vertices()),
         random_(1, Purpose::chain, stream),
         current_(features(transport, seed)),
         runs_(Family::count) {}
 
   void take_turn() {
+    if (FilmLayout{}.is_large(transport_.scene().film_shape())) film_.share(pixels_, 1);
     for (int i = 0; i < items_per_turn; ++i) {
       random_.start(steps_);
       statistics_.timed(steps_++, [&] {
         int mutation = 0;
-        chain_.step(random_, [&](const Step<Flatland>& step) {
+        chain_.step(random_, [&](const Step<W>& step) {
           deposit(transport_, step, current_.bin, film_);
           statistics_.observe(observation(transport_, step, current_), runs_);
           if (step.accepted()) current_ = features(transport_, step.proposed);
@@ -75,9 +89,10 @@ class ChainWorker {
   }
 
  private:
-  const Light& transport_;
-  Chain<Light, Family> chain_;
+  const Transport<W>& transport_;
+  Chain<Transport<W>, Family> chain_;
   GroupFilm film_;
+  SharedFilm pixels_;
   MutationStatistics statistics_;
   Rng random_;
   Features current_;
