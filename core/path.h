@@ -57,17 +57,30 @@ struct Vertex {
   }
 };
 
-// Memory is reserved once, for the longest path of a scene; no operation below allocates.
+// Memory is taken once, for the longest path of a scene; no operation below allocates.  Vertices that
+// a path grows by are as they were left.
 template <class W>
 class Path {
  public:
-  explicit Path(int max_vertices) {
-    vertices_.reserve(static_cast<std::size_t>(max_vertices));
+  explicit Path(int max_vertices) : vertices_(static_cast<std::size_t>(max_vertices)) {
     weights_.reserve(static_cast<std::size_t>(max_vertices) + 1);
   }
+  Path(const Path& other) : Path(static_cast<int>(other.vertices_.size())) { *this = other; }
+  Path(Path&&) = default;
+  Path& operator=(Path&&) = default;
+  Path& operator=(const Path& other) {
+    if (vertices_.size() < other.vertices_.size()) vertices_.resize(other.vertices_.size());
+    resize(other.size());
+    copy(other, 0, other.size(), 0);
+    contribution = other.contribution;
+    intensity = other.intensity;
+    weights_ = other.weights_;
+    return *this;
+  }
+  ~Path() = default;
 
-  int size() const { return static_cast<int>(vertices_.size()); }
-  void resize(int n) { vertices_.resize(static_cast<std::size_t>(n)); }
+  int size() const { return size_; }
+  void resize(int n) { size_ = n; }
   Vertex<W>& operator[](int i) { return vertices_[static_cast<std::size_t>(i)]; }
   const Vertex<W>& operator[](int i) const { return vertices_[static_cast<std::size_t>(i)]; }
 
@@ -85,11 +98,15 @@ class Path {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(vertices_, weights_, contribution, intensity);
+    archive(size_, weights_, contribution, intensity);
+    if (vertices_.size() < static_cast<std::size_t>(size_))
+      vertices_.resize(static_cast<std::size_t>(size_));
+    for (int i = 0; i < size_; ++i) archive((*this)[i]);
   }
 
  private:
   std::vector<Vertex<W>> vertices_;
+  int size_ = 0;
   std::vector<double> weights_;
 };
 

@@ -110,8 +110,8 @@ class PathSampler {
   void connect(int s, int t, Random& random, Sink&& sink) {
     if (!space_.can_connect(light_[s - 1]) || !space_.can_connect(sensor_[sensor_index(t)])) return;
     joined_.resize(s + t);
-    joined_.copy(light_, 0, s, 0);
-    joined_.copy(sensor_, sensor_index(t), t, s);
+    joined_[s - 1] = light_[s - 1];
+    joined_[s] = sensor_[sensor_index(t)];
     if (s == 1 && t > 1) {
       seek(random, {Subpath::light_end, t});
       space_.begin_light(joined_, 0, random);
@@ -121,6 +121,8 @@ class PathSampler {
       space_.begin_sensor(joined_, s, random);
     }
     if (space_.connect(joined_, s - 1) != Connection::open) return;
+    joined_.copy(light_, 0, s - 1, 0);
+    joined_.copy(sensor_, sensor_index(t - 1), t - 1, s + 1);
     space_.evaluate(joined_, s - 1);
     space_.evaluate(joined_, s);
     deliver(s, sink);
