@@ -17,6 +17,7 @@ struct Requirements {
   bool caustic_paths_possible = false;  // light, then specular, then a surface it can fall on
   bool scatters = false;                // some surface reflects or refracts into many directions
   bool glossy = false;                  // of these, some are rough mirrors or rough glass
+  bool smooth_normals = false;          // some mesh is shaded by normals that are not its own
   int max_vertices = 0;
 };
 
