@@ -123,11 +123,12 @@ std::string type_of(const ShapeKind& kind) {
   return std::visit([](const auto& shape) { return std::string(shape.name); }, kind);
 }
 
+std::string type_of(const MaterialKind& kind) { return std::visit(MaterialType{}, kind); }
+
 Requirements requires_of(const Scene& scene) {
   const std::vector<MaterialKind> materials = materials_in_use(scene);
   std::set<std::string> material_types, shape_types;
-  for (const MaterialKind& kind : materials)
-    material_types.insert(std::visit(MaterialType{}, kind));
+  for (const MaterialKind& kind : materials) material_types.insert(type_of(kind));
   for (const description::Shape& shape : scene.shapes) shape_types.insert(type_of(shape.kind));
 
   Requirements requirements;

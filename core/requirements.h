@@ -28,7 +28,8 @@ std::vector<int> film_resolution(const description::Scene& scene);
 // How its values are laid out (tint.h): the same, and three channels where there is colour.
 std::vector<int> film_shape(const description::Scene& scene);
 
-// As scene files call it: "segment", "arc", ...
+// As scene files call it: "segment", "arc", ...; "diffuse", "mirror", ...
 std::string type_of(const description::ShapeKind& kind);
+std::string type_of(const description::MaterialKind& kind);
 
 }  // namespace wander
