@@ -47,8 +47,16 @@ struct RoughConductor {
 struct RoughDielectric {
   double roughness = 0, interior_index = 1.5, exterior_index = 1;
 };
-using MaterialKind =
-    std::variant<Black, Diffuse, Mirror, Dielectric, RoughConductor, RoughDielectric>;
+// Conductors by their index of refraction eta + i k.
+struct Conductor {
+  Quantity eta, k;
+};
+struct RoughMetal {
+  double roughness = 0;
+  Quantity eta, k;
+};
+using MaterialKind = std::variant<Black, Diffuse, Mirror, Dielectric, RoughConductor,
+                                  RoughDielectric, Conductor, RoughMetal>;
 
 struct Material {
   std::string name;

@@ -25,6 +25,7 @@
 #include <optional>
 #include <variant>
 
+#include "core/complex_index.h"
 #include "core/event.h"
 #include "core/world.h"
 
@@ -138,6 +139,49 @@ struct RoughConductor {
   static constexpr bool specular = false, has_lobes = false, scatters = true;
 };
 
+// A mirror that reflects as Fresnel's formulae say.  A walk survives with the share that is reflected
+// along the normal, which is about the least of all directions: the share of the direction at hand
+// would depend on the end that the walk comes from.
+template <World W>
+struct Conductor {
+  using Real = typename W::Real;
+  using Local = typename W::Local;
+  ComplexIndex<W> index;
+
+  Scattering<W> evaluate(Event, Local to_light, Local to_sensor) const;
+  std::optional<ScatterSample<W>> sample(Local known, ScatterNumbers<W> u) const {
+    return Mirror<W>{1}.sample(known, u);
+  }
+  InvertedNumbers<W> invert(Local known, Local sampled, Event event) const {
+    return Mirror<W>{1}.invert(known, sampled, event);
+  }
+  std::optional<Local> follow(Local known, Event event) const {
+    return Mirror<W>{1}.follow(known, event);
+  }
+  Real follow_density(Local, Event) const { return 1; }
+  Real survival() const { return index.at_normal(); }
+  static constexpr bool specular = true, has_lobes = false, scatters = true;
+};
+
+// GGX microfacets that reflect so, each by the angle to its own normal.
+template <World W>
+struct RoughMetal {
+  using Real = typename W::Real;
+  using Local = typename W::Local;
+  Real roughness;
+  ComplexIndex<W> index;
+
+  Scattering<W> evaluate(Event, Local to_light, Local to_sensor) const;
+  std::optional<ScatterSample<W>> sample(Local known, ScatterNumbers<W> u) const {
+    return RoughConductor<W>{roughness, 1}.sample(known, u);
+  }
+  InvertedNumbers<W> invert(Local known, Local sampled, Event event) const {
+    return RoughConductor<W>{roughness, 1}.invert(known, sampled, event);
+  }
+  Real survival() const { return index.at_normal(); }
+  static constexpr bool specular = false, has_lobes = false, scatters = true;
+};
+
 // GGX microfacets of glass (Walter et al. 2007, in either dimension).
 template <World W>
 struct RoughDielectric {
@@ -154,7 +198,7 @@ struct RoughDielectric {
 
 template <World W>
 using Material = std::variant<Diffuse<W>, Black<W>, Mirror<W>, Dielectric<W>, RoughConductor<W>,
-                              RoughDielectric<W>>;
+                              RoughDielectric<W>, Conductor<W>, RoughMetal<W>>;
 
 // Fresnel reflectance of unpolarised light, the mean of both polarisations.  `cosine` > 0 on the
 // side of index n_incident; total internal reflection gives 1.

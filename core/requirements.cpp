@@ -17,6 +17,8 @@ struct MaterialType {
   std::string operator()(const Dielectric&) const { return "dielectric"; }
   std::string operator()(const RoughConductor&) const { return "rough_conductor"; }
   std::string operator()(const RoughDielectric&) const { return "rough_dielectric"; }
+  std::string operator()(const Conductor&) const { return "conductor"; }
+  std::string operator()(const RoughMetal&) const { return "rough_conductor"; }
 };
 
 bool is_zero(const Quantity& quantity) {
@@ -24,9 +26,17 @@ bool is_zero(const Quantity& quantity) {
                      [](double channel) { return channel == 0; });
 }
 
+// A conductor of the index of what is outside it swallows all light.
+template <class Metal>
+bool reflects_nothing(const Metal& metal) {
+  return is_zero(metal.k) &&
+         std::ranges::all_of(metal.eta.channels, [](double channel) { return channel == 1; });
+}
+
 // A mirror that reflects nothing is black.
 bool is_specular(const MaterialKind& kind) {
   if (const auto* mirror = std::get_if<Mirror>(&kind)) return !is_zero(mirror->reflectance);
+  if (const auto* metal = std::get_if<Conductor>(&kind)) return !reflects_nothing(*metal);
   return std::holds_alternative<Dielectric>(kind);
 }
 
@@ -37,11 +47,14 @@ struct Scatters {
   bool operator()(const Dielectric&) const { return false; }
   bool operator()(const RoughConductor& m) const { return !is_zero(m.reflectance); }
   bool operator()(const RoughDielectric&) const { return true; }
+  bool operator()(const Conductor&) const { return false; }
+  bool operator()(const RoughMetal& m) const { return !reflects_nothing(m); }
 };
 
 struct IsGlossy {
   bool operator()(const RoughConductor& m) const { return !is_zero(m.reflectance); }
   bool operator()(const RoughDielectric&) const { return true; }
+  bool operator()(const RoughMetal& m) const { return !reflects_nothing(m); }
   bool operator()(const auto&) const { return false; }
 };
 
@@ -55,6 +68,8 @@ struct Coloured {
   bool operator()(const Diffuse& m) const { return m.reflectance.coloured; }
   bool operator()(const Mirror& m) const { return m.reflectance.coloured; }
   bool operator()(const RoughConductor& m) const { return m.reflectance.coloured; }
+  bool operator()(const Conductor& m) const { return m.eta.coloured || m.k.coloured; }
+  bool operator()(const RoughMetal& m) const { return m.eta.coloured || m.k.coloured; }
   bool operator()(const auto&) const { return false; }
 };
 
@@ -108,11 +123,12 @@ std::string type_of(const ShapeKind& kind) {
   return std::visit([](const auto& shape) { return std::string(shape.name); }, kind);
 }
 
+std::string type_of(const MaterialKind& kind) { return std::visit(MaterialType{}, kind); }
+
 Requirements requires_of(const Scene& scene) {
   const std::vector<MaterialKind> materials = materials_in_use(scene);
   std::set<std::string> material_types, shape_types;
-  for (const MaterialKind& kind : materials)
-    material_types.insert(std::visit(MaterialType{}, kind));
+  for (const MaterialKind& kind : materials) material_types.insert(type_of(kind));
   for (const description::Shape& shape : scene.shapes) shape_types.insert(type_of(shape.kind));
 
   Requirements requirements;
@@ -124,6 +140,11 @@ Requirements requires_of(const Scene& scene) {
   requirements.caustic_paths_possible = caustics_can_form(scene, materials);
   requirements.scatters = any_of(materials, Scatters{});
   requirements.glossy = any_of(materials, IsGlossy{});
+  requirements.smooth_normals =
+      std::ranges::any_of(scene.shapes, [](const description::Shape& shape) {
+        const auto* mesh = std::get_if<description::Mesh>(&shape.kind);
+        return mesh != nullptr && mesh->normals == MeshNormals::smooth;
+      });
   requirements.max_vertices = scene.max_vertices;
   return requirements;
 }

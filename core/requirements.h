@@ -17,6 +17,7 @@ struct Requirements {
   bool caustic_paths_possible = false;  // light, then specular, then a surface it can fall on
   bool scatters = false;                // some surface reflects or refracts into many directions
   bool glossy = false;                  // of these, some are rough mirrors or rough glass
+  bool smooth_normals = false;          // some mesh is shaded by normals that are not its own
   int max_vertices = 0;
 };
 
@@ -27,7 +28,8 @@ std::vector<int> film_resolution(const description::Scene& scene);
 // How its values are laid out (tint.h): the same, and three channels where there is colour.
 std::vector<int> film_shape(const description::Scene& scene);
 
-// As scene files call it: "segment", "arc", ...
+// As scene files call it: "segment", "arc", ...; "diffuse", "mirror", ...
 std::string type_of(const description::ShapeKind& kind);
+std::string type_of(const description::MaterialKind& kind);
 
 }  // namespace wander

@@ -17,6 +17,18 @@ bool is_flat(const Shape<W>& shape) {
 }
 
 template <World W>
+bool is_smooth(const Shape<W>& shape) {
+  return visit_shape(
+      [](const auto& s) {
+        if constexpr (requires { s.is_smooth(); })
+          return s.is_smooth();
+        else
+          return false;
+      },
+      shape);
+}
+
+template <World W>
 bool specular_material(const Material<W>& material) {
   return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::specular; }, material);
 }
@@ -41,6 +53,7 @@ Scene<W>::Scene(SceneParts<W> parts)
                          .scatters = !std::holds_alternative<Black<W>>(material),
                          .is_flat = is_flat<W>(part.shape),
                          .is_sensor = part.is_sensor,
+                         .is_smooth = is_smooth<W>(part.shape),
                          .radiance = part.radiance,
                          .tint = part.tint});
     if (part.is_sensor) sensor_ = id;

@@ -75,15 +75,20 @@ struct Sphere {
   }
 };
 
+// By which normals a mesh is shaded: those of its triangles, or those that the file gives corners.
+enum class MeshNormals { flat, smooth };
+
 struct Mesh {
   static constexpr std::string_view name = "mesh";
   static constexpr auto fields() {
-    return std::tuple(Field{"file", &Mesh::file}, Field{"transform", &Mesh::transform});
+    return std::tuple(Field{"file", &Mesh::file}, Field{"transform", &Mesh::transform},
+                      Field{"normals", &Mesh::normals});
   }
 
   std::string file;                                // as the scene names it
   std::shared_ptr<const Triangles> triangles{};    // of the file, where the transform puts them
   std::vector<std::array<double, 4>> transform{};  // rows; none leave the file's as they are
+  MeshNormals normals = MeshNormals::flat;
 
   Flaws flaws() const;
   template <class Visitor>

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/shading.h"
+
 namespace wander {
 
 namespace {
@@ -75,17 +77,24 @@ template <World W>
 auto Transport<W>::sample_direction(Path<W>& x, int i, Toward toward, ScatterNumbers<W> u) const
     -> std::optional<Direction> {
   Vertex<W>& v = x[i];
-  const Frame<W::dimension, Length> frame{v.place.normal};
   if (v.event == Event::detection && v.place.shape == no_shape)
     return scene_->camera()->sample_direction(v.place.position, u.direction);
-  if (v.event == Event::emission || v.event == Event::detection)
+  if (v.event == Event::emission || v.event == Event::detection) {
+    const Frame<W::dimension, Length> frame{v.place.normal};
     return frame.to_world(Direction(W::Dimension::cosine_sample(u.direction)));
+  }
 
-  const Local known = local(v, known_direction(x, i, toward));
-  const auto sample = std::visit([&](const auto& m) { return m.sample(known, u); }, material(v));
+  const ShadingFrame<W> frame(*scene_, v.place);
+  const Direction known = known_direction(x, i, toward);
+  if (!frame.agrees(known)) return {};
+  const Local known_local = frame.to_local(known);
+  const auto sample =
+      std::visit([&](const auto& m) { return m.sample(known_local, u); }, material(v));
   if (!sample) return {};
   v.event = sample->event;
-  return glm::normalize(frame.to_world(Direction(sample->direction)));
+  const Direction sampled = frame.to_world(sample->direction);
+  if (!frame.agrees(sampled)) return {};
+  return sampled;
 }
 
 template <World W>
@@ -124,8 +133,11 @@ void Transport<W>::move_end(Path<W>& x, int i, typename W::Square u) const {
 
 template <World W>
 bool Transport<W>::follow(Path<W>& x, int i, Toward toward, Event event) const {
-  const Local known = local(x[i], known_direction(x, i, toward));
-  const auto direction = std::visit(
+  const ShadingFrame<W> frame(*scene_, x[i].place);
+  const Direction arriving = known_direction(x, i, toward);
+  if (!frame.agrees(arriving)) return false;
+  const Local known = frame.to_local(arriving);
+  const auto followed = std::visit(
       [&]<class M>(const M& m) -> std::optional<Local> {
         if constexpr (M::specular)
           return m.follow(known, event);
@@ -133,10 +145,11 @@ bool Transport<W>::follow(Path<W>& x, int i, Toward toward, Event event) const {
           return {};
       },
       material(x[i]));
-  if (!direction) return false;
+  if (!followed) return false;
+  const Direction direction = frame.to_world(*followed);
+  if (!frame.agrees(direction)) return false;
   x[i].event = event;
-  const Frame<W::dimension, Length> frame{x[i].place.normal};
-  return shoot(x, i, toward, glm::normalize(frame.to_world(Direction(*direction))));
+  return shoot(x, i, toward, direction);
 }
 
 template <World W>
@@ -160,8 +173,11 @@ double Transport<W>::aim_density(const Path<W>& x, int i, Toward toward) const {
 
 template <World W>
 double Transport<W>::follow_density(const Path<W>& x, int i, Toward toward) const {
-  const Local followed = local(x[i], direction(x, i, toward));
-  const double edge = x[toward == Toward::sensor ? i : i - 1].geometry;
+  const ShadingFrame<W> frame(*scene_, x[i].place);
+  const Direction way = direction(x, i, toward);
+  const Local followed = frame.to_local(way);
+  const double edge =
+      x[toward == Toward::sensor ? i : i - 1].geometry * static_cast<double>(frame.stretch(way));
   return std::visit(
       [&]<class M>(const M& m) -> double {
         if constexpr (M::specular)
@@ -232,10 +248,13 @@ void Transport<W>::evaluate(Path<W>& x, int i) const {
   Vertex<W>& v = x[i];
   if (v.event == Event::emission) return evaluate_emission(x);
   if (v.event == Event::detection) return evaluate_detection(x, i);
-  const Local to_light = local(v, -x[i - 1].place.to_sensor),
-              to_sensor = local(v, v.place.to_sensor);
-  const Scattering<W> s = std::visit(
-      [&](const auto& m) { return m.evaluate(v.event, to_light, to_sensor); }, material(v));
+  const ShadingFrame<W> frame(*scene_, v.place);
+  const Direction light = -x[i - 1].place.to_sensor, sensor = v.place.to_sensor;
+  const Local to_light = frame.to_local(light), to_sensor = frame.to_local(sensor);
+  const Scattering<W> s = frame.stretched(
+      std::visit([&](const auto& m) { return m.evaluate(v.event, to_light, to_sensor); },
+                 material(v)),
+      light, sensor);
   const auto q = static_cast<double>(survival(v));
   v.value = s.value;
   v.tint = s.tint;
@@ -264,9 +283,11 @@ InvertedNumbers<W> Transport<W>::inverted(const Path<W>& x, int i, Toward toward
     return {.direction = *scene_->camera()->film_coordinate(v.place.position, sampled)};
   if (v.event == Event::emission || v.event == Event::detection)
     return {.direction = square<W>(W::Dimension::cosine_invert(local(v, sampled)))};
+  const ShadingFrame<W> frame(*scene_, v.place);
   return std::visit(
       [&](const auto& m) {
-        return m.invert(local(v, known_direction(x, i, toward)), local(v, sampled), v.event);
+        return m.invert(frame.to_local(known_direction(x, i, toward)), frame.to_local(sampled),
+                        v.event);
       },
       material(v));
 }

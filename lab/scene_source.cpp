@@ -44,9 +44,9 @@ SceneDocument open_file(const std::string& source) {
   }
 }
 
-Triangles gallery_mesh(const std::string& file) {
+Triangles gallery_mesh(const std::string& file, MeshNormals wanted) {
   for (const GalleryMesh& mesh : std::span(gallery_meshes, gallery_mesh_count))
-    if (mesh.file == file) return parse_obj(mesh.text);
+    if (mesh.file == file) return parse_obj(mesh.text, wanted);
   throw MeshFileError("the gallery has no such mesh; save the scene beside its own");
 }
 

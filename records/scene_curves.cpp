@@ -1,6 +1,9 @@
 #include "records/scene_curves.h"
 
+#include <algorithm>
 #include <limits>
+
+#include "core/requirements.h"
 
 namespace wander {
 
@@ -42,17 +45,21 @@ struct CurveAdder {
 
 }  // namespace
 
+std::int32_t material_number(const description::Scene& scene, const description::Shape& shape) {
+  const std::string type =
+      shape.material ? type_of(scene.materials.at(*shape.material).kind) : "black";
+  return static_cast<std::int32_t>(std::ranges::find(material_types, type) -
+                                   material_types.begin());
+}
+
 SceneCurves scene_curves(const description::Scene& scene) {
   SceneCurves curves;
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const description::Shape& shape = scene.shapes[i];
     for (const auto& stroke : outline_of(shape.kind)) std::visit(CurveAdder{curves}, stroke);
-    // The kinds of materials are numbered as description.h lists them.
-    const std::size_t material =
-        shape.material ? scene.materials.at(*shape.material).kind.index() : 0;
     const std::size_t count = curves.kind.size();
     curves.shape.resize(count, static_cast<std::int32_t>(i));
-    curves.material.resize(count, static_cast<std::int32_t>(material));
+    curves.material.resize(count, material_number(scene, shape));
     curves.radiance.resize(count, shape.light ? luminance(shape.light->radiance) : 0);
     curves.is_sensor.resize(count, shape.sensor ? 1 : 0);
   }

@@ -10,9 +10,11 @@
 
 namespace wander {
 
-// What the numbers in `material` mean, of curves and of faces.
+// What the numbers in `material` mean, of curves and of faces: types as scene files say them.
 inline const std::vector<std::string> material_types{
-    "black", "diffuse", "mirror", "dielectric", "rough_conductor", "rough_dielectric"};
+    "black", "diffuse", "mirror", "dielectric", "rough_conductor", "rough_dielectric", "conductor"};
+// Of a shape; without a material it is black.
+std::int32_t material_number(const description::Scene& scene, const description::Shape& shape);
 
 struct SceneCurves {
   // What the numbers in `kind` mean.

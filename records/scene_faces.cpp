@@ -1,6 +1,7 @@
 #include "records/scene_faces.h"
 
 #include "core/film_estimate.h"
+#include "records/scene_curves.h"
 
 namespace wander {
 
@@ -45,12 +46,9 @@ SceneFaces scene_faces(const description::Scene& scene) {
     const description::Shape& shape = scene.shapes[i];
     description::visit_kind<3>([&](const auto& kind) { kind.for_each_face(FaceAdder{faces}); },
                                shape.kind);
-    // The kinds of materials are numbered as description.h lists them.
-    const std::size_t material =
-        shape.material ? scene.materials.at(*shape.material).kind.index() : 0;
     const std::size_t count = faces.kind.size();
     faces.shape.resize(count, static_cast<std::int32_t>(i));
-    faces.material.resize(count, static_cast<std::int32_t>(material));
+    faces.material.resize(count, material_number(scene, shape));
     faces.radiance.resize(count, shape.light ? luminance(shape.light->radiance) : 0);
     faces.is_sensor.resize(count, shape.sensor ? 1 : 0);
   }

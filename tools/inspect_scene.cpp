@@ -40,10 +40,13 @@ ordered_json film_of(const description::Scene& scene) {
 ordered_json requirements_of(const description::Scene& scene) {
   const Requirements needs = requires_of(scene);
   const MutationChoice choice = choose_mutations(needs);
-  return {{"dimension", needs.dimension}, {"colour_channels", needs.colour_channels},
-          {"materials", needs.materials}, {"shapes", needs.shapes},
-          {"specular", needs.specular},   {"caustic_paths_possible", needs.caustic_paths_possible},
-          {"mutations", choice.taken},    {"left_out", choice.left_out}};
+  ordered_json required{
+      {"dimension", needs.dimension}, {"colour_channels", needs.colour_channels},
+      {"materials", needs.materials}, {"shapes", needs.shapes},
+      {"specular", needs.specular},   {"caustic_paths_possible", needs.caustic_paths_possible},
+      {"mutations", choice.taken},    {"left_out", choice.left_out}};
+  if (needs.dimension == 3) required["smooth_normals"] = needs.smooth_normals;
+  return required;
 }
 
 ordered_json json_of(const std::vector<Fault>& faults) {
@@ -75,6 +78,7 @@ std::string requires_text(const ordered_json& needs) {
   text += fmt::format("    channels      {}\n", needs["colour_channels"].get<int>());
   text += fmt::format("    materials     {}\n", words_of(needs["materials"]));
   text += fmt::format("    shapes        {}\n", words_of(needs["shapes"]));
+  if (needs.value("smooth_normals", false)) text += "    normals       smooth\n";
   text += fmt::format("    specular      {}\n", yes_or_no(needs["specular"]));
   text += fmt::format("    caustics      {}\n",
                       needs["caustic_paths_possible"].get<bool>() ? "possible" : "not possible");

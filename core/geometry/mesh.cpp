@@ -52,6 +52,33 @@ SurfacePoint<W> Mesh<W>::with_normal(Point p, std::int32_t primitive) const {
 }
 
 template <World W>
+auto Mesh<W>::corner_normal(std::int32_t primitive, std::size_t corner, Point own) const -> Point {
+  const auto& of =
+      triangles_->normal_corners.empty() ? triangles_->corners : triangles_->normal_corners;
+  const std::int32_t index = of[static_cast<std::size_t>(primitive)][corner];
+  if (index < 0) return own;
+  const auto& n = triangles_->normals[static_cast<std::size_t>(index)];
+  const Point normal(n[0], n[1], n[2]);
+  return normal == Point(0) ? own : normal;
+}
+
+template <World W>
+auto Mesh<W>::shading_normal(Point p, std::int32_t primitive) const -> Point {
+  const auto [a, b, c] = corners(primitive);
+  const Point area = glm::cross(b - a, c - a);
+  const Length size = glm::length(area);
+  const Point own = area / size;
+  const Length of_b = glm::dot(glm::cross(p - a, c - a), own) / size,
+               of_c = glm::dot(glm::cross(b - a, p - a), own) / size;
+  const Point mixed = (1 - of_b - of_c) * corner_normal(primitive, 0, own) +
+                      of_b * corner_normal(primitive, 1, own) +
+                      of_c * corner_normal(primitive, 2, own);
+  const Length along = glm::dot(mixed, own);
+  if (!(std::abs(along) > 0)) return own;  // they cancel
+  return mixed / std::copysign(glm::length(mixed), along);
+}
+
+template <World W>
 SurfacePoint<W> Mesh<W>::surface(const Ray<W>& ray, const Hit<W>& hit) const {
   const auto [a, b, c] = corners(hit.primitive);
   return with_normal(triangle_point<W>(ray, a, b, c), hit.primitive);

@@ -6,6 +6,9 @@
 // belong together one to one, and what lies near each other in the mesh is near in u; a guide finds
 // the triangle in constant time [Chen and Asau 1974].  (An alias table would scatter the numbers of
 // a triangle, and could be turned round only by drawing.)
+//
+// A mesh whose corners have normals is shaded by what is between them (core/shading.h); rays, sides
+// and points do not know of it.
 #pragma once
 
 #include <memory>
@@ -35,6 +38,9 @@ class Mesh {
   SurfacePoint<W> sample(Square u) const;
   Square parameter(Point p, PrimitiveId<W> primitive = {}) const;
   Length measure() const { return measure_; }
+  bool is_smooth() const { return !triangles_->normals.empty(); }
+  // The normals of the corners as they are mixed there, on the triangle's own side.
+  Point shading_normal(Point p, std::int32_t primitive) const;
   Box<W> bounds() const;
   Box<W> bounds(std::int32_t primitive) const {
     const auto [a, b, c] = corners(primitive);
@@ -58,6 +64,7 @@ class Mesh {
     const auto& index = triangles_->corners[static_cast<std::size_t>(primitive)];
     return {point(index[0]), point(index[1]), point(index[2])};
   }
+  Point corner_normal(std::int32_t primitive, std::size_t corner, Point own) const;
   SurfacePoint<W> with_normal(Point p, std::int32_t primitive) const;
   void share_out();
   std::int32_t find(double u) const;

@@ -24,6 +24,8 @@ struct SurfaceOf {
   Surface operator()(const description::RoughDielectric&) const {
     return Surface::rough_dielectric;
   }
+  Surface operator()(const description::Conductor&) const { return Surface::mirror; }
+  Surface operator()(const description::RoughMetal&) const { return Surface::rough_conductor; }
 };
 
 void stroke(Svg& svg, std::string_view data, std::string_view colour, double width) {

@@ -36,7 +36,7 @@ class Spread {
 
 // The parameters of all materials of one kind.
 struct Parameters {
-  Spread reflectance, roughness, index;
+  Spread reflectance, roughness, index, extinction;
 
   void operator()(const description::Black&) {}
   void operator()(const description::Diffuse& m) { reflectance.include(m.reflectance); }
@@ -52,8 +52,18 @@ struct Parameters {
     roughness.include(m.roughness);
     index.include(m.interior_index / m.exterior_index);
   }
+  void operator()(const description::Conductor& m) {
+    index.include(m.eta);
+    extinction.include(m.k);
+  }
+  void operator()(const description::RoughMetal& m) {
+    roughness.include(m.roughness);
+    index.include(m.eta);
+    extinction.include(m.k);
+  }
   std::string text() const {
-    return roughness.after(", α ") + index.after(", n ") + reflectance.after(", ρ ");
+    return roughness.after(", α ") + index.after(", n ") + extinction.after(", k ") +
+           reflectance.after(", ρ ");
   }
 };
 

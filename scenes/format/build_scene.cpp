@@ -85,6 +85,24 @@ struct MaterialBuilder {
       return Dielectric<W>{interior, exterior};
     return RoughDielectric<W>{real(m.roughness), interior, exterior};
   }
+  Material<W> operator()(const description::Conductor& m) const { return conductor(m.eta, m.k); }
+  Material<W> operator()(const description::RoughMetal& m) const {
+    if (m.roughness < smooth_below) return conductor(m.eta, m.k);
+    const ComplexIndex<W> index(constants(m.eta), constants(m.k));
+    return index.at_normal() > 0 ? Material<W>(RoughMetal<W>{real(m.roughness), index})
+                                 : Black<W>{};
+  }
+
+  static Material<W> conductor(const description::Quantity& eta, const description::Quantity& k) {
+    const ComplexIndex<W> index(constants(eta), constants(k));
+    return index.at_normal() > 0 ? Material<W>(Conductor<W>{index}) : Black<W>{};
+  }
+  static typename ComplexIndex<W>::Constants constants(const description::Quantity& q) {
+    if constexpr (W::channels == 1)
+      return {grey(q)};
+    else
+      return {real(q.channels[0]), real(q.channels[1]), real(q.channels[2])};
+  }
 };
 
 template <World W>

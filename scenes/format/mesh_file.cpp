@@ -37,7 +37,7 @@ std::string contents_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-Triangles read_mesh(const std::filesystem::path& path) {
+Triangles read_mesh(const std::filesystem::path& path, MeshNormals wanted) {
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -45,7 +45,7 @@ Triangles read_mesh(const std::filesystem::path& path) {
     throw MeshFileError(
         fmt::format("the ending \"{}\" is not known; a mesh is .obj or .ply", ending));
   const std::string text = contents_of(path);
-  Triangles triangles = ending == ".obj" ? parse_obj(text) : parse_ply(text);
+  Triangles triangles = ending == ".obj" ? parse_obj(text, wanted) : parse_ply(text, wanted);
   if (triangles.corners.empty())
     throw MeshFileError("the file has no face; a mesh has one or more");
   return triangles;

@@ -1,4 +1,5 @@
-// Wavefront OBJ: the lines `v x y z` and `f a b c ...`; all others are passed over.  (tinyobjloader
+// Wavefront OBJ: the lines `v x y z` and `f a b c ...`, and if they are wanted `vn x y z`; all others
+// are passed over.  (tinyobjloader
 // adds up decimal digits one by one, so that its 0.12 is not that of a scene file, and takes what is
 // no number for 0: here both matter.)
 #include <fmt/format.h>
@@ -13,64 +14,91 @@ namespace {
 
 class ObjReader {
  public:
-  explicit ObjReader(std::string_view text) : text_(text) {}
+  ObjReader(std::string_view text, MeshNormals wanted) : text_(text), wanted_(wanted) {}
 
   Triangles triangles() && {
     while (!text_.at_end()) {
       std::string_view line = text_.next_line();
       const std::string_view keyword = take_word(line);
-      if (keyword == "v") add_point(line);
+      if (keyword == "v") add(line, result_.points);
+      if (keyword == "vn" && wanted_ == MeshNormals::smooth) add(line, result_.normals);
       if (keyword == "f") add_face(line);
     }
-    if (highest_ > result_.points.size())
-      throw MeshFileError(fmt::format("line {}: there is no corner {}; the file has {}",
-                                      line_of_highest_, highest_, result_.points.size()));
+    corner_.refuse_beyond(result_.points.size());
+    normal_.refuse_beyond(result_.normals.size());
+    if (!result_.normals.empty()) result_.normal_corners = std::move(of_normals_.corners);
     return std::move(result_);
   }
 
  private:
-  void add_point(std::string_view line) {
-    auto& point = result_.points.emplace_back();
-    for (double& x : point) x = coordinate(number_of(take_word(line), text_), text_);
+  using Vectors = std::vector<std::array<double, 3>>;
+
+  // What faces name by number, from 1, or back from the last one so far as -1.
+  struct Numbered {
+    std::string_view name;
+    std::size_t highest = 0;
+    int line_of_highest = 0;
+
+    void refuse_beyond(std::size_t count) const {
+      if (highest > count)
+        throw MeshFileError(fmt::format("line {}: there is no {} {}; the file has {}",
+                                        line_of_highest, name, highest, count));
+    }
+  };
+
+  void add(std::string_view line, Vectors& vectors) {
+    auto& vector = vectors.emplace_back();
+    for (double& x : vector) x = coordinate(number_of(take_word(line), text_), text_);
   }
 
+  // Corners are a, a/t, a//n or a/t/n.
   void add_face(std::string_view line) {
     face_.clear();
+    normals_of_face_.clear();
     for (std::string_view word = take_word(line); !word.empty() && !word.starts_with('#');
-         word = take_word(line))
-      face_.push_back(index_of(word.substr(0, word.find('/'))));
+         word = take_word(line)) {
+      const std::size_t slash = word.find('/');
+      face_.push_back(index_of(word.substr(0, slash), corner_, result_.points));
+      if (wanted_ == MeshNormals::flat) continue;
+      const std::size_t second = slash == word.npos ? slash : word.find('/', slash + 1);
+      normals_of_face_.push_back(
+          second == word.npos ? -1 : index_of(word.substr(second + 1), normal_, result_.normals));
+    }
     if (face_.size() < 3)
       text_.refuse(fmt::format("a face of {} corners; a face has 3 or more", face_.size()));
     add_fan(result_, face_);
+    if (wanted_ == MeshNormals::smooth) add_fan(of_normals_, normals_of_face_);
   }
 
-  // Corners are counted from 1, or back from the last one so far as -1.
-  std::int32_t index_of(std::string_view word) {
+  std::int32_t index_of(std::string_view word, Numbered& what, const Vectors& so_far) {
     const std::int64_t number = integer_of(word, text_);
-    const auto known = static_cast<std::int64_t>(result_.points.size());
-    if (number == 0 || number < -known || number > most_points)
-      text_.refuse(fmt::format(
-          "there is no corner {}; corners are counted from 1, or back from the last as -1",
-          number));
+    const auto known = static_cast<std::int64_t>(so_far.size());
+    if (number == 0 || number < -known || number > most)
+      text_.refuse(
+          fmt::format("there is no {0} {1}; {0}s are counted from 1, or back from the last "
+                      "as -1",
+                      what.name, number));
     if (number < 0) return static_cast<std::int32_t>(known + number);
-    if (static_cast<std::size_t>(number) > highest_) {
-      highest_ = static_cast<std::size_t>(number);
-      line_of_highest_ = text_.line();
+    if (static_cast<std::size_t>(number) > what.highest) {
+      what.highest = static_cast<std::size_t>(number);
+      what.line_of_highest = text_.line();
     }
     return static_cast<std::int32_t>(number - 1);
   }
 
-  static constexpr std::int64_t most_points = INT32_MAX;
+  static constexpr std::int64_t most = INT32_MAX;
 
   MeshText text_;
-  Triangles result_;
-  std::vector<std::int32_t> face_;
-  std::size_t highest_ = 0;
-  int line_of_highest_ = 0;
+  MeshNormals wanted_;
+  Triangles result_, of_normals_;
+  std::vector<std::int32_t> face_, normals_of_face_;
+  Numbered corner_{"corner"}, normal_{"normal"};
 };
 
 }  // namespace
 
-Triangles parse_obj(std::string_view text) { return ObjReader(text).triangles(); }
+Triangles parse_obj(std::string_view text, MeshNormals wanted) {
+  return ObjReader(text, wanted).triangles();
+}
 
 }  // namespace wander

@@ -1,6 +1,6 @@
 // PLY [Turk 1994]: a header that says what elements follow, of what properties; then their values,
-// as text or binary.  The vertices' x, y and z and the faces' vertex_indices are taken, all else is
-// passed over.
+// as text or binary.  The vertices' x, y and z and the faces' vertex_indices are taken, and nx, ny and
+// nz if they are wanted; all else is passed over.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -164,8 +164,7 @@ class BinaryValues {
 template <class Values>
 class PlyReader {
  public:
-  PlyReader(Values values, std::vector<std::array<double, 3>>* normals)
-      : values_(std::move(values)), normals_(normals) {}
+  PlyReader(Values values, MeshNormals wanted) : values_(std::move(values)), wanted_(wanted) {}
 
   Triangles triangles(const Header& header) && {
     bool has_points = false, has_faces = false;
@@ -213,9 +212,9 @@ class PlyReader {
     if (element.name != "vertex") return;
     for (const double x : point) values_.checked(x);
     result_.points.push_back(point);
-    if (normals_ == nullptr || std::ranges::none_of(element.properties, is_normal)) return;
+    if (wanted_ == MeshNormals::flat || std::ranges::none_of(element.properties, is_normal)) return;
     for (const double x : normal) values_.checked(x);
-    normals_->push_back(normal);
+    result_.normals.push_back(normal);
   }
 
   static bool is_normal(const Property& property) {
@@ -254,26 +253,19 @@ class PlyReader {
   }
 
   Values values_;
-  std::vector<std::array<double, 3>>* normals_;  // null: not asked for
+  MeshNormals wanted_;
   Triangles result_;
   std::vector<std::int32_t> face_;
 };
 
-Triangles parse(std::string_view text, std::vector<std::array<double, 3>>* normals) {
+}  // namespace
+
+Triangles parse_ply(std::string_view text, MeshNormals wanted) {
   MeshText lines(text);
   const Header header = HeaderReader(lines).header();
   if (header.encoding == Encoding::ascii)
-    return PlyReader(AsciiValues(lines), normals).triangles(header);
-  return PlyReader(BinaryValues(lines.rest(), *header.encoding), normals).triangles(header);
-}
-
-}  // namespace
-
-Triangles parse_ply(std::string_view text) { return parse(text, nullptr); }
-
-Triangles parse_ply_with_normals(std::string_view text,
-                                 std::vector<std::array<double, 3>>& normals) {
-  return parse(text, &normals);
+    return PlyReader(AsciiValues(lines), wanted).triangles(header);
+  return PlyReader(BinaryValues(lines.rest(), *header.encoding), wanted).triangles(header);
 }
 
 }  // namespace wander

@@ -28,12 +28,12 @@ fs::path path_of(const std::string& file, const fs::path& folder) {
 }  // namespace
 
 MeshReader meshes_in(fs::path folder) {
-  return [folder = std::move(folder)](const std::string& file) {
-    return read_mesh(path_of(file, folder));
+  return [folder = std::move(folder)](const std::string& file, MeshNormals wanted) {
+    return read_mesh(path_of(file, folder), wanted);
   };
 }
 
-Triangles no_mesh(const std::string&) {
+Triangles no_mesh(const std::string&, MeshNormals) {
   throw MeshFileError(
       "a scene that is no file has no folder to look for meshes in; save it beside them");
 }

@@ -42,6 +42,11 @@ MaterialKind material_kind(const ordered_json& material) {
   if (type == "diffuse") return Diffuse{quantity(material.at("reflectance"))};
   if (type == "mirror") return Mirror{quantity(material.at("reflectance"))};
   if (type == "dielectric") return Dielectric{number("ior"), exterior_index};
+  if (type == "conductor")
+    return Conductor{quantity(material.at("eta")), quantity(material.at("k"))};
+  if (type == "rough_conductor" && material.contains("eta"))
+    return RoughMetal{number("roughness"), quantity(material.at("eta")),
+                      quantity(material.at("k"))};
   if (type == "rough_conductor")
     return RoughConductor{number("roughness"), quantity(material.at("reflectance"))};
   if (type == "rough_dielectric")
@@ -87,6 +92,9 @@ void read(const ordered_json& json, Value& value) {
   value = json.get<Value>();
 }
 void read(const ordered_json& value, Coordinates& point) { point = coordinates(value); }
+void read(const ordered_json& value, MeshNormals& normals) {
+  normals = value == "smooth" ? MeshNormals::smooth : MeshNormals::flat;
+}
 template <std::size_t count>
 void read(const ordered_json& value, std::array<Coordinates, count>& points) {
   std::ranges::transform(value, points.begin(), coordinates);

@@ -25,6 +25,12 @@ struct Transform {
   Point offset{0};
 
   Point operator()(Point p) const { return linear * p + offset; }
+  // Planes move by the inverse, transposed; of unit length, or 0.
+  Point normal(Point n, const glm::dmat3& inverse) const {
+    const Point moved = glm::transpose(inverse) * n;
+    const double length = glm::length(moved);
+    return length > 0 && std::isfinite(length) ? moved / length : Point(0);
+  }
   bool mirrors() const { return glm::determinant(linear) < 0; }
 };
 
@@ -51,8 +57,14 @@ Triangles moved(Triangles triangles, const Transform& transform) {
       point[static_cast<std::size_t>(axis)] = p[axis] + 0.0;  // -0 is 0
     }
   }
+  const glm::dmat3 inverse = glm::inverse(transform.linear);
+  for (auto& normal : triangles.normals) {
+    const Point n = transform.normal(Point(normal[0], normal[1], normal[2]), inverse);
+    normal = {n.x, n.y, n.z};
+  }
   if (transform.mirrors())
-    for (auto& corners : triangles.corners) std::swap(corners[1], corners[2]);
+    for (auto* corners : {&triangles.corners, &triangles.normal_corners})
+      for (auto& three : *corners) std::swap(three[1], three[2]);
   return triangles;
 }
 
@@ -64,7 +76,8 @@ std::vector<JsonFault> SceneMeshes::read(const JsonDocument& document,
   std::vector<JsonFault> found;
   const auto shapes = document.find(document.root(), "shapes");
   if (!shapes || !(*shapes)->is_array() || faults.size() > json_limits.faults) return found;
-  std::map<std::string, Triangles> files;  // a file may be named more than once
+  // A file may be named more than once.
+  std::map<std::pair<std::string, description::MeshNormals>, Triangles> files;
   for (const JsonMember& shape : document.children(*shapes)) {
     const auto file = document.find(shape.node, "file");
     const bool is_faulty = std::ranges::any_of(faults, [&](const JsonFault& fault) {
@@ -73,9 +86,17 @@ std::vector<JsonFault> SceneMeshes::read(const JsonDocument& document,
     if (!file || is_faulty || found.size() > json_limits.faults) continue;
     const auto mesh = std::get<description::Mesh>(build_shape_kind(*shape.node.value));
     try {
-      if (!files.contains(mesh.file)) files.emplace(mesh.file, read_file(mesh.file));
-      meshes_[shape.node.value] =
-          std::make_shared<const Triangles>(moved(files.at(mesh.file), transform_of(mesh)));
+      const auto name = std::pair(mesh.file, mesh.normals);
+      if (!files.contains(name)) files.emplace(name, read_file(mesh.file, mesh.normals));
+      const Triangles& triangles = files.at(name);
+      if (mesh.normals == description::MeshNormals::smooth && triangles.normals.empty())
+        found.push_back(document.fault(
+            *document.find(shape.node, "normals"),
+            fmt::format("{} has no normals; give its corners normals, or say \"flat\"",
+                        excerpt(mesh.file))));
+      else
+        meshes_[shape.node.value] =
+            std::make_shared<const Triangles>(moved(triangles, transform_of(mesh)));
     } catch (const MeshFileError& error) {
       found.push_back(
           document.fault(*file, fmt::format("{}: {}", excerpt(mesh.file), error.what())));

@@ -67,33 +67,50 @@ class BsdfReader {
     return made;
   }
 
-  // Fresnel's factor of a metal is a constant here: that of light along the normal.
-  Colour metal(Plugin& bsdf) const {
+  // Nothing of one that reflects all light.
+  std::optional<MetalConstants> constants_of(Plugin& bsdf) const {
     const std::string name = bsdf.text("material", context_.is_old() ? "Cu" : "none");
-    const Colour tint = bsdf.reflectance("specular_reflectance", 1);
-    const double outside = index(bsdf, "ext_eta", "air");
-    std::optional<ComplexIndex> constants;
     if (bsdf.has("eta") || bsdf.has("k")) {
-      constants = {bsdf.radiance("eta", 0), bsdf.radiance("k", 1)};
-      if (std::ranges::all_of(constants->eta, [](double eta) { return eta == 0; })) return tint;
-    } else if (name != "none") {
-      constants = complex_index(name);
-      if (!constants)
-        diagnosis().fault(bsdf.where("material"),
-                          fmt::format("the metal \"{}\" is not known; {}", excerpt(name),
-                                      suggestion(name, metals())));
+      const MetalConstants given{bsdf.radiance("eta", 0), bsdf.radiance("k", 1)};
+      if (std::ranges::all_of(given.eta, [](double eta) { return eta == 0; })) return {};
+      return given;
     }
-    if (!constants) return tint;
-    diagnosis().inexact(bsdf.element(), "Fresnel's factor of a metal",
+    if (name == "none") return {};
+    const auto known = metal_constants(name);
+    if (!known)
+      diagnosis().fault(bsdf.where("material"),
+                        fmt::format("the metal \"{}\" is not known; {}", excerpt(name),
+                                    suggestion(name, metals())));
+    return known;
+  }
+
+  // With its reflectance, or eta and k.
+  ordered_json metal(Plugin& bsdf, ordered_json json) const {
+    const Colour tint = bsdf.reflectance("specular_reflectance", 1);
+    const double outside = context_.is_old() ? index(bsdf, "ext_eta", "air") : 1;
+    const auto absolute = constants_of(bsdf);
+    if (!absolute) {
+      json["reflectance"] = json_of(tint);
+      return json;
+    }
+    const MetalConstants constants = relative(*absolute, outside);
+    if (tint == Colour{1, 1, 1}) {
+      json["eta"] = json_of(constants.eta);
+      json["k"] = json_of(constants.k);
+      return json;
+    }
+    diagnosis().inexact(bsdf.element(), "Fresnel's factor of a metal with a tint",
                         "a constant, its value along the normal");
-    Colour result = normal_reflectance(*constants, outside);
-    for (std::size_t i = 0; i < 3; ++i) result[i] *= tint[i];
-    return result;
+    Colour reflectance = normal_reflectance(constants);
+    for (std::size_t i = 0; i < 3; ++i) reflectance[i] *= tint[i];
+    json["reflectance"] = json_of(reflectance);
+    return json;
   }
 
   Made conductor(Plugin& bsdf) const {
-    return {
-        {{"type", "mirror"}, {"reflectance", json_of(metal(bsdf))}}, Presence::here, Back::dark};
+    ordered_json json = metal(bsdf, {{"type", "conductor"}});
+    if (json.contains("reflectance")) json["type"] = "mirror";
+    return {std::move(json), Presence::here, Back::dark};
   }
 
   double roughness(Plugin& bsdf) const {
@@ -136,10 +153,8 @@ class BsdfReader {
 
   Made rough_conductor(Plugin& bsdf) const {
     const double alpha = roughness(bsdf);
-    return {
-        {{"type", "rough_conductor"}, {"roughness", alpha}, {"reflectance", json_of(metal(bsdf))}},
-        Presence::here,
-        Back::dark};
+    return {metal(bsdf, {{"type", "rough_conductor"}, {"roughness", alpha}}), Presence::here,
+            Back::dark};
   }
 
   double index(Plugin& bsdf, std::string_view key, std::string_view otherwise) const {

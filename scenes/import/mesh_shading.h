@@ -4,8 +4,8 @@
 // is; elsewhere they are smooth, and the front is where most of them point.
 #pragma once
 
+#include <glm/mat4x4.hpp>
 #include <string_view>
-#include <vector>
 
 #include "core/geometry/triangles.h"
 
@@ -17,12 +17,15 @@ struct MeshShading {
 
   Normals normals = Normals::flat;
   Front front = Front::outside;
-  bool is_of_file = false;  // a mirror image turns computed normals round
 };
 
-// Of a mesh that was read from this text.
-MeshShading shading_of_obj(const Triangles& mesh, std::string_view text);
-MeshShading shading_of_ply(const Triangles& mesh,
-                           const std::vector<std::array<double, 3>>& normals);
+// Of a mesh that has normals.
+MeshShading shading_of(const Triangles& mesh);
+
+// At each point the mean of its triangles' normals, weighted by their angles there where the transform
+// puts them [Thürmer and Wüthrich 1998].  Texture coordinates in an OBJ file part triangles.
+Triangles with_computed_normals(Triangles mesh, const glm::dmat4& transform,
+                                std::string_view obj_text);
+Triangles with_computed_normals(Triangles mesh, const glm::dmat4& transform);
 
 }  // namespace wander

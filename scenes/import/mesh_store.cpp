@@ -34,6 +34,27 @@ std::string plain(std::string name) {
   return name.size() <= longest ? name : name.substr(name.size() - longest);
 }
 
+// With a point for each pair of a point and a normal that some corner has.
+Triangles numbered_alike(const Triangles& mesh) {
+  if (mesh.normal_corners.empty()) return mesh;
+  Triangles result;
+  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> pairs;
+  for (std::size_t i = 0; i < mesh.corners.size(); ++i) {
+    auto& corners = result.corners.emplace_back();
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const std::int32_t point = mesh.corners[i][k], normal = mesh.normal_corners[i][k];
+      const auto [pair, is_new] =
+          pairs.emplace(std::pair(point, normal), static_cast<std::int32_t>(pairs.size()));
+      corners[k] = pair->second;
+      if (!is_new) continue;
+      result.points.push_back(mesh.points[static_cast<std::size_t>(point)]);
+      result.normals.push_back(normal < 0 ? std::array<double, 3>{}
+                                          : mesh.normals[static_cast<std::size_t>(normal)]);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string MeshStore::add(std::string bytes, const std::string& name) {
@@ -51,14 +72,20 @@ std::string MeshStore::add(std::string bytes, const std::string& name) {
   return path;
 }
 
-std::string ply_of(const Triangles& mesh) {
+std::string ply_of(const Triangles& given) {
+  const Triangles mesh = numbered_alike(given);
   std::string bytes = fmt::format(
       "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
-      "property double y\nproperty double z\nelement face {}\n"
+      "property double y\nproperty double z\n{}element face {}\n"
       "property list uchar int vertex_indices\nend_header\n",
-      mesh.points.size(), mesh.corners.size());
-  for (const auto& point : mesh.points)
-    for (const double x : point) append(bytes, x);
+      mesh.points.size(),
+      mesh.normals.empty() ? "" : "property double nx\nproperty double ny\nproperty double nz\n",
+      mesh.corners.size());
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    for (const double x : mesh.points[i]) append(bytes, x);
+    if (mesh.normals.empty()) continue;
+    for (const double x : mesh.normals[i]) append(bytes, x);
+  }
   for (const auto& corners : mesh.corners) {
     append(bytes, static_cast<unsigned char>(corners.size()));
     for (const std::int32_t corner : corners) append(bytes, corner);
@@ -67,7 +94,8 @@ std::string ply_of(const Triangles& mesh) {
 }
 
 Triangles turned_round(Triangles mesh) {
-  for (auto& corners : mesh.corners) std::swap(corners[1], corners[2]);
+  for (auto* corners : {&mesh.corners, &mesh.normal_corners})
+    for (auto& three : *corners) std::swap(three[1], three[2]);
   return mesh;
 }
 

@@ -19,7 +19,7 @@ constexpr std::pair<std::string_view, double> indices[] = {
 };
 
 // Measured spectra, mostly of [Palik], in linear Rec. 709.
-constexpr std::pair<std::string_view, ComplexIndex> complex_indices[] = {
+constexpr std::pair<std::string_view, MetalConstants> complex_indices[] = {
     {"Ag", {{0.15528, 0.11673, 0.13839}, {4.8284, 3.1222, 2.1469}}},
     {"Al", {{1.6575, 0.8804, 0.52124}, {9.2238, 6.2695, 4.837}}},
     {"AlAs", {{3.6053, 3.2329, 2.2163}, {0.00067944, 0, 0.0075127}}},
@@ -90,7 +90,7 @@ std::optional<double> index_of_refraction(std::string_view name) {
 
 std::vector<std::string> substances() { return names_in(indices); }
 
-std::optional<ComplexIndex> complex_index(std::string_view name) {
+std::optional<MetalConstants> metal_constants(std::string_view name) {
   constexpr std::string_view source = "_palik";
   if (name.ends_with(source)) name.remove_suffix(source.size());
   const auto found = find_in(complex_indices, name);
@@ -100,10 +100,19 @@ std::optional<ComplexIndex> complex_index(std::string_view name) {
 
 std::vector<std::string> metals() { return names_in(complex_indices); }
 
-std::array<double, 3> normal_reflectance(const ComplexIndex& metal, double outside) {
+MetalConstants relative(const MetalConstants& metal, double outside) {
+  MetalConstants result = metal;
+  for (std::size_t i = 0; i < result.eta.size(); ++i) {
+    result.eta[i] /= outside;
+    result.k[i] /= outside;
+  }
+  return result;
+}
+
+std::array<double, 3> normal_reflectance(const MetalConstants& metal) {
   std::array<double, 3> result{};
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const double eta = metal.eta[i] / outside, k = metal.k[i] / outside;
+    const double eta = metal.eta[i], k = metal.k[i];
     result[i] = ((eta - 1) * (eta - 1) + k * k) / ((eta + 1) * (eta + 1) + k * k);
   }
   return result;

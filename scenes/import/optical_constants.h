@@ -14,13 +14,16 @@ std::optional<double> index_of_refraction(std::string_view name);
 std::vector<std::string> substances();
 
 // Of a metal, such as "Au"; at red, green and blue.
-struct ComplexIndex {
+struct MetalConstants {
   std::array<double, 3> eta, k;
 };
-std::optional<ComplexIndex> complex_index(std::string_view name);
+std::optional<MetalConstants> metal_constants(std::string_view name);
 std::vector<std::string> metals();
 
-// Of light that falls along the normal, from a medium with this index.
-std::array<double, 3> normal_reflectance(const ComplexIndex& metal, double outside);
+// As seen from a medium with this index.
+MetalConstants relative(const MetalConstants& metal, double outside);
+
+// Of light that falls along the normal.
+std::array<double, 3> normal_reflectance(const MetalConstants& metal);
 
 }  // namespace wander

@@ -186,6 +186,7 @@ class ShapeReader {
   void put(const std::string& path, const Triangles& mesh) {
     json_ = {{"type", "mesh"}, {"file", path}};
     if (matrix_ != Matrix(1)) json_["transform"] = rows_of(matrix_);
+    if (!mesh.normals.empty()) json_["normals"] = "smooth";
     mesh_ = placed(mesh, matrix_);
   }
 
@@ -204,29 +205,39 @@ class ShapeReader {
             fmt::format("the file is too large; a mesh may have {} GiB", largest_mesh >> 30));
       std::ifstream stream(path, std::ios::binary);
       std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-      std::vector<std::array<double, 3>> normals;
-      const bool is_ply = shape.type() == "ply";
-      const Triangles mesh = is_ply ? parse_ply_with_normals(bytes, normals) : parse_obj(bytes);
-      MeshShading shading;
-      if (!flat) shading = is_ply ? shading_of_ply(mesh, normals) : shading_of_obj(mesh, bytes);
-      if (shading.normals == MeshShading::Normals::smooth)
-        diagnosis().inexact(shape.element(), "the smooth shading of a mesh",
-                            "the flat one of its triangles");
-      copy(std::move(bytes), path.stem().string() + (is_ply ? ".ply" : ".obj"), mesh, shading);
+      copy({std::move(bytes), path.stem().string(), shape.type()},
+           flat ? MeshNormals::flat : MeshNormals::smooth);
     } catch (const MeshFileError& error) {
       diagnosis().fault(where, fmt::format("{}: {}", excerpt(name), error.what()));
     }
   }
 
-  // Mitsuba turns triangles, and the normals that it computes of them, round in a mirror.
-  void copy(std::string bytes, const std::string& name, const Triangles& mesh,
-            const MeshShading& shading) {
-    bool inwards = shading.front == MeshShading::Front::inside;
-    if (mirrors(matrix_) && !shading.is_of_file) inwards = !inwards;
-    if (turned_) inwards = !inwards;
-    if (!inwards) return put(shapes_.meshes_.add(std::move(bytes), name), mesh);
-    const Triangles other = turned_round(mesh);
-    put(shapes_.meshes_.add(ply_of(other), name.substr(0, name.rfind('.')) + "_turned.ply"), other);
+  struct MeshBytes {
+    std::string bytes, stem, type;  // of the file's name; obj or ply
+  };
+
+  // Mitsuba turns triangles, and the normals that it computes of them, round in a mirror; normals of
+  // a file say where the front is.
+  void copy(MeshBytes file, MeshNormals normals) {
+    const bool is_ply = file.type == "ply";
+    Triangles mesh = is_ply ? parse_ply(file.bytes, normals) : parse_obj(file.bytes, normals);
+    const bool has_normals = !mesh.normals.empty();
+    if (!has_normals && normals == MeshNormals::smooth)
+      mesh = is_ply ? with_computed_normals(std::move(mesh), matrix_)
+                    : with_computed_normals(std::move(mesh), matrix_, file.bytes);
+    const MeshShading shading = mesh.normals.empty() ? MeshShading{} : shading_of(mesh);
+    const bool inwards =
+        turned_ != (has_normals ? shading.front == MeshShading::Front::inside : mirrors(matrix_));
+    if (shading.normals == MeshShading::Normals::flat) {
+      mesh.normals.clear();
+      mesh.normal_corners.clear();
+    }
+    if (inwards) mesh = turned_round(std::move(mesh));
+    if (!inwards && (has_normals || mesh.normals.empty()))
+      put(shapes_.meshes_.add(std::move(file.bytes), file.stem + "." + file.type), mesh);
+    else
+      put(shapes_.meshes_.add(ply_of(mesh), file.stem + (inwards ? "_turned.ply" : "_smooth.ply")),
+          mesh);
   }
 
   // ---- what it is made of

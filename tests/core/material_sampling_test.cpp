@@ -67,6 +67,11 @@ TYPED_TEST(Sampling, OfRoughConductorsMatchesTheirDensity) {
   }
 }
 
+TYPED_TEST(Sampling, OfRoughMetalsMatchesTheirDensity) {
+  const ComplexIndex<TypeParam> copper({0.2}, {3.9});
+  TestFixture::expect_match(RoughMetal<TypeParam>{0.3, copper}, {0.1, -0.8, 1.4, 2.2});
+}
+
 TYPED_TEST(Sampling, OfRoughGlassMatchesItsDensity) {
   for (const double roughness : {0.05, 0.2, 1.0}) {
     SCOPED_TRACE(roughness);

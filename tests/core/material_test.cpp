@@ -22,6 +22,7 @@ class Materials : public ::testing::Test {
     f(Diffuse<W>{0.75}, 1.0, 1.0);
     for (const double roughness : {1e-3, 0.02, 0.2, 1.0}) {
       f(RoughConductor<W>{roughness, 0.9}, 1.0, 1.0);
+      f(RoughMetal<W>{roughness, ComplexIndex<W>({0.2}, {3.9})}, 1.0, 1.0);
       f(RoughDielectric<W>{roughness, 1.5, 1}, 1.0, 1.5);
       f(RoughDielectric<W>{roughness, 1, 1.8}, 1.8, 1.0);
     }

@@ -43,6 +43,25 @@ TEST(Requirements, AMirrorThatReflectsNothingIsNotSpecular) {
   EXPECT_FALSE(requires_of(scene_with(description::Mirror{grey(0)})).specular);
 }
 
+TEST(Requirements, OfConductorsAreThoseOfMirrorsAndRoughMetals) {
+  const description::Quantity eta = grey(0.2), k = grey(3.9), coloured{{3.9, 2.4, 2.1}, true};
+  const Requirements smooth = requires_of(scene_with(description::Conductor{eta, k}));
+  EXPECT_EQ(smooth.materials, std::vector<std::string>{"conductor"});
+  EXPECT_TRUE(smooth.specular);
+  EXPECT_TRUE(smooth.caustic_paths_possible);
+  EXPECT_FALSE(smooth.scatters);
+  EXPECT_EQ(smooth.colour_channels, 1);
+  const Requirements rough = requires_of(scene_with(description::RoughMetal{0.2, eta, coloured}));
+  EXPECT_EQ(rough.materials, std::vector<std::string>{"rough_conductor"});
+  EXPECT_FALSE(rough.specular);
+  EXPECT_TRUE(rough.scatters);
+  EXPECT_TRUE(rough.glossy);
+  EXPECT_EQ(rough.colour_channels, 3);
+  // As the air around it: nothing comes back.
+  EXPECT_FALSE(requires_of(scene_with(description::Conductor{grey(1), grey(0)})).specular);
+  EXPECT_FALSE(requires_of(scene_with(description::RoughMetal{0.2, grey(1), grey(0)})).glossy);
+}
+
 TEST(Requirements, ACausticNeedsAVertexBetweenLightAndSensor) {
   Scene scene = scene_with(description::Mirror{grey(0.9)});
   scene.max_vertices = 2;

@@ -26,6 +26,8 @@ def bsdf(material):
     if kind == "mirror":
         inside = {"type": "conductor", "material": "none", "specular_reflectance": colour(material["reflectance"])}
         return {"type": "twosided", "inside": inside}
+    if kind == "conductor":
+        return {"type": "twosided", "inside": {"type": "conductor", "eta": colour(material["eta"]), "k": colour(material["k"])}}
     if kind == "dielectric":
         return {"type": "dielectric", "int_ior": float(material["ior"]),
                 "ext_ior": float(material.get("exterior_ior", 1))}
@@ -55,7 +57,7 @@ def geometry(shape, scene_folder, file, mitsuba):
         place = numpy.eye(4)
         rows = shape.get("transform", [])
         place[:len(rows)] = rows
-        return {"type": path.suffix[1:].lower(), "filename": str(path), "face_normals": True,
+        return {"type": path.suffix[1:].lower(), "filename": str(path), "face_normals": shape.get("normals") != "smooth",
                 "to_world": mitsuba.ScalarTransform4f(place)}
     raise ValueError(f"Mitsuba has no counterpart of the shape {kind}")
 

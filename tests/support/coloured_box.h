@@ -53,6 +53,10 @@ inline description::Scene channel_of(description::Scene scene, std::size_t chann
     std::visit(
         [&](auto& kind) {
           if constexpr (requires { kind.reflectance; }) take(kind.reflectance);
+          if constexpr (requires { kind.eta; }) {
+            take(kind.eta);
+            take(kind.k);
+          }
         },
         material.kind);
   for (auto& shape : scene.shapes)

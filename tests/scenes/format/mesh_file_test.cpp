@@ -24,8 +24,12 @@ std::string fault_of(Parse parse, const std::string& text) {
   }
   return "";
 }
-std::string obj_fault(const std::string& text) { return fault_of(parse_obj, text); }
-std::string ply_fault(const std::string& text) { return fault_of(parse_ply, text); }
+std::string obj_fault(const std::string& text) {
+  return fault_of([](const auto& t) { return parse_obj(t); }, text);
+}
+std::string ply_fault(const std::string& text) {
+  return fault_of([](const auto& t) { return parse_ply(t); }, text);
+}
 
 TEST(ObjFiles, HaveCornersAndFaces) {
   const Triangles mesh = parse_obj(
@@ -54,6 +58,33 @@ TEST(ObjFiles, HaveNumbersToTheLastDigit) {
   EXPECT_EQ(mesh.points[0], (std::array{0.12, 548.8123, 1e-320}));
 }
 
+TEST(ObjFiles, HaveNormalsWhereTheyAreWanted) {
+  const std::string text =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvn 0 0 2\nvn 0.6 0 0.8\n"
+      "f 1//1 2/7/2 4//-1 3\nvn 1 0 0\nf 1//3 2/1 3\n";
+  const Triangles mesh = parse_obj(text, MeshNormals::smooth);
+  EXPECT_EQ(mesh.normals, (Points{{0, 0, 2}, {0.6, 0, 0.8}, {1, 0, 0}}));
+  EXPECT_EQ(mesh.normal_corners, (Corners{{0, 1, 1}, {0, 1, -1}, {2, -1, -1}}));
+  EXPECT_EQ(mesh.corners, parse_obj(text).corners);
+  EXPECT_TRUE(parse_obj(text).normals.empty());
+  const Triangles none = parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", MeshNormals::smooth);
+  EXPECT_TRUE(none.normals.empty());
+  EXPECT_TRUE(none.normal_corners.empty());
+}
+
+TEST(ObjFiles, TellTheLineOfAFaultInTheirNormals) {
+  const auto fault = [](const std::string& rest) {
+    return fault_of([](const auto& t) { return parse_obj(t, MeshNormals::smooth); },
+                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\n" + rest);
+  };
+  EXPECT_EQ(fault("f 1//1 2//2 3//1"), "line 5: there is no normal 2; the file has 1");
+  EXPECT_EQ(
+      fault("f 1//1 2//0 3//1"),
+      "line 5: there is no normal 0; normals are counted from 1, or back from the last as -1");
+  EXPECT_EQ(fault("vn 1 x 0"), "line 5: x is no number");
+  EXPECT_EQ(fault("f 1//1 2//a 3//1"), "line 5: a is no integer");
+}
+
 TEST(ObjFiles, TellTheLineOfTheirFault) {
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   EXPECT_EQ(obj_fault(points + "f 1 2 4"), "line 4: there is no corner 4; the file has 3");
@@ -74,6 +105,17 @@ TEST(ObjFiles, TellTheLineOfTheirFault) {
 const std::string ascii_header = "ply\nformat ascii 1.0\ncomment made by hand\n";
 const std::string three_points =
     "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+
+TEST(PlyFiles, HaveNormalsWhereTheyAreWanted) {
+  const std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+      "z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 1\nproperty list "
+      "uchar int vertex_indices\nend_header\n0 0 0 0 0 1\n1 0 0 0.5 0 1\n0 1 0 0 0 -3\n3 0 1 2\n";
+  const Triangles mesh = parse_ply(text, MeshNormals::smooth);
+  EXPECT_EQ(mesh.normals, (Points{{0, 0, 1}, {0.5, 0, 1}, {0, 0, -3}}));
+  EXPECT_TRUE(mesh.normal_corners.empty());
+  EXPECT_TRUE(parse_ply(text).normals.empty());
+}
 
 TEST(PlyFiles, MayBeText) {
   const Triangles mesh = parse_ply(ascii_header +

@@ -69,6 +69,44 @@ INSTANTIATE_TEST_SUITE_P(
                   {{"/shapes/2/light/radiance/1", "-2 is not allowed"}}}),
     name_of);
 
+std::string with_metal(const std::string& members) {
+  return space_only("[" + a_lamp + "," + a_screen + "]",
+                    ", \"materials\": { \"m\": " + members + " }");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    SpaceConductors, MalformedScene,
+    testing::Values(
+        Malformed{"ConductorWithoutExtinction",
+                  with_metal(R"(^{ "type": "conductor", "eta": 1 })"),
+                  {{"/materials/m", "\"k\" is missing; eta and k are one number each"}}},
+        Malformed{"ConductorWithReflectance",
+                  with_metal(R"({ "type": "conductor", "eta": 1, "k": 2, ^"reflectance": 1 })"),
+                  {{"/materials/m/reflectance", "unknown key"}}},
+        Malformed{"NegativeConstant",
+                  with_metal(R"({ "type": "conductor", "eta": ^-1, "k": [1, 2, ^1e7] })"),
+                  {{"/materials/m/eta", "-1 is not allowed; eta and k are from 0 to 1e6"},
+                   {"/materials/m/k/2", "10000000.0 is not allowed"}}},
+        Malformed{"TwoConstants",
+                  with_metal(R"({ "type": "conductor", "eta": ^[1, 2], "k": 2 })"),
+                  {{"/materials/m/eta", "a list of 2 is not allowed; eta and k are one number"}}},
+        Malformed{
+            "RoughConductorWithBoth",
+            with_metal(R"({ "type": "rough_conductor", "roughness": 0.1, "eta": 1, "k": 2,
+                     "reflectance": ^0.5 })"),
+            {{"/materials/m/reflectance", "eta and k say what is reflected; leave them out"}}},
+        Malformed{"RoughConductorWithHalf",
+                  with_metal(R"(^{ "type": "rough_conductor", "roughness": 0.1, "eta": 1 })"),
+                  {{"/materials/m", "\"k\" is missing; a conductor has eta and k"}}},
+        Malformed{"RoughConductorWithTheOtherHalf",
+                  with_metal(R"(^{ "type": "rough_conductor", "roughness": 0.1, "k": 1 })"),
+                  {{"/materials/m", "\"eta\" is missing; a conductor has eta and k"}}},
+        Malformed{"RoughConductorWithNeither",
+                  with_metal(R"(^{ "type": "rough_conductor", "roughness": 0.1 })"),
+                  {{"/materials/m",
+                    "\"reflectance\" is missing; a rough conductor has a reflectance, or eta"}}}),
+    name_of);
+
 INSTANTIATE_TEST_SUITE_P(
     SpaceMeshes, MalformedScene,
     testing::Values(Malformed{"MeshWithoutFolder",

@@ -36,6 +36,24 @@ TEST(SpaceFile, KeepsColoursAndKnowsGreyFromThem) {
   EXPECT_EQ(scene.shapes[2].light->radiance.channels, (std::array{1.0, 0.0, 2.0}));
 }
 
+TEST(SpaceFile, KeepsConductors) {
+  const Scene scene = parse(space_only("[" + a_lamp + "," + a_screen + "]", R"(, "materials": {
+    "a": { "type": "conductor", "eta": [0.2, 0.9, 1.1], "k": 3.5 },
+    "b": { "type": "rough_conductor", "roughness": 0.3, "eta": 0.5, "k": [3, 3, 3] },
+    "c": { "type": "conductor", "eta": 0, "k": 1e6 } })"))
+                          .scene;
+  const auto& smooth = std::get<Conductor>(scene.materials[0].kind);
+  EXPECT_EQ(smooth.eta.channels, (std::array{0.2, 0.9, 1.1}));
+  EXPECT_TRUE(smooth.eta.coloured);
+  EXPECT_EQ(smooth.k.channels[2], 3.5);
+  EXPECT_FALSE(smooth.k.coloured);
+  const auto& rough = std::get<RoughMetal>(scene.materials[1].kind);
+  EXPECT_EQ(rough.roughness, 0.3);
+  EXPECT_EQ(rough.eta.channels[0], 0.5);
+  EXPECT_EQ(rough.k.channels[1], 3);
+  EXPECT_FALSE(rough.k.coloured);
+}
+
 TEST(SpaceFile, RequiresThreeChannelsWhereSomethingIsColoured) {
   EXPECT_EQ(requires_of(parse(everything_in_space).scene).colour_channels, 3);
   const Requirements grey =

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/requirements.h"
 #include "tests/scenes/format/space_texts.h"
 
 namespace wander {
@@ -30,12 +31,12 @@ class SceneFolder : public ::testing::Test {
   Triangles mesh(const std::string& members) const {
     return *std::get<description::Mesh>(read(members).scene.shapes[2].kind).triangles;
   }
-  std::string fault(const std::string& members) const {
+  std::string fault(const std::string& members, const std::string& key = "file") const {
     try {
       read(members);
     } catch (const SceneFileError& error) {
       EXPECT_EQ(error.faults.size(), 1u);
-      EXPECT_EQ(error.faults[0].pointer, "/shapes/2/file");
+      EXPECT_EQ(error.faults[0].pointer, "/shapes/2/" + key);
       return error.faults[0].what;
     }
     return "";
@@ -75,6 +76,51 @@ TEST_F(SceneFolder, TurnsMirrorImagesRound) {
     "transform": [[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])");
   EXPECT_EQ(mirrored.points[0], (std::array{-1.0, 0.0, 0.0}));
   EXPECT_EQ(mirrored.corners[0], (std::array{0, 2, 1}));
+}
+
+// Normals stay at right angles to what they are normals of, and have the length 1.
+TEST_F(SceneFolder, MovesNormalsByTheInverseTransposed) {
+  write("scene/a.obj",
+        "v 1 0 0\nv 0 2 0\nv 0 0 3\nvn 0 0 2\nvn 3 0 4\nvn 0 0 0\nf 1//1 2//2 3//3\n");
+  const std::string smooth = R"("file": "a.obj", "normals": "smooth")";
+  const Triangles unmoved = mesh(smooth);
+  EXPECT_EQ(unmoved.normals[0], (std::array{0.0, 0.0, 1.0}));
+  EXPECT_EQ(unmoved.normals[2], (std::array{0.0, 0.0, 0.0}));
+  const Triangles moved =
+      mesh(smooth + R"(, "transform": [[2, 0, 0, 1], [0, 1, 0, 2], [0, 0, 1, 3]])");
+  const double length = std::hypot(1.5, 4);
+  EXPECT_NEAR(moved.normals[1][0], 1.5 / length, 1e-15);
+  EXPECT_NEAR(moved.normals[1][2], 4 / length, 1e-15);
+  const Triangles mirrored =
+      mesh(smooth + R"(, "transform": [[-1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])");
+  EXPECT_NEAR(mirrored.normals[1][0], -0.6, 1e-15);
+  EXPECT_NEAR(mirrored.normals[1][2], 0.8, 1e-15);
+  EXPECT_EQ(mirrored.corners[0], (std::array{0, 2, 1}));
+  EXPECT_EQ(mirrored.normal_corners[0], (std::array{0, 2, 1}));
+  EXPECT_TRUE(mesh(R"("file": "a.obj", "normals": "flat")").normals.empty());
+  EXPECT_TRUE(mesh(R"("file": "a.obj")").normals.empty());
+}
+
+TEST_F(SceneFolder, TellsOfMeshesThatHaveNoNormals) {
+  write("scene/a.obj", one_triangle);
+  EXPECT_EQ(fault(R"("file": "a.obj", "normals": "smooth")", "normals"),
+            "a.obj has no normals; give its corners normals, or say \"flat\"");
+  EXPECT_EQ(fault(R"("file": "a.obj", "normals": "round")", "normals"),
+            "\"round\" is not known; allowed are flat, smooth");
+}
+
+// A file may be shaded in one place and not in another.
+TEST_F(SceneFolder, KnowsFlatMeshesFromSmoothOnes) {
+  write("scene/a.obj", "v 1 0 0\nv 0 2 0\nv 0 0 3\nvn 0 0 1\nf 1//1 2//1 3//1\n");
+  write("scene/s.json", with_solid(R"({ "type": "mesh", "file": "a.obj" },
+    { "type": "mesh", "file": "a.obj", "normals": "smooth" })"));
+  const auto scene = read_scene_file(place_ / "scene" / "s.json").scene;
+  const auto normals = [&](std::size_t shape) {
+    return std::get<description::Mesh>(scene.shapes[shape].kind).triangles->normals.size();
+  };
+  EXPECT_EQ(normals(2), 0u);
+  EXPECT_EQ(normals(3), 1u);
+  EXPECT_TRUE(requires_of(scene).smooth_normals);
 }
 
 TEST_F(SceneFolder, IsNotLeft) {

@@ -91,17 +91,31 @@ TEST_F(ImportedBsdfs, AreTheNearestThingWhereTheyCannotBeSaid) {
       "diffuse");
 }
 
-TEST_F(ImportedBsdfs, OfMetalsHaveTheirReflectanceAlongTheNormal) {
-  const Json gold = nearly("<bsdf type='conductor'><string name='material' value='Au'/></bsdf>",
-                           "Fresnel's factor of a metal");
+TEST_F(ImportedBsdfs, OfMetalsHaveTheirIndexOfRefraction) {
+  const Json gold = exactly("<bsdf type='conductor'><string name='material' value='Au'/></bsdf>");
+  EXPECT_EQ(gold["type"], "conductor");
+  expect_near(gold["eta"], {0.143036, 0.375307, 1.44205}, 1e-5);  // of Mitsuba 3.9
+  expect_near(gold["k"], {3.983, 2.38556, 1.60336}, 1e-4);
+  EXPECT_EQ(exactly("<bsdf type='conductor'><rgb name='eta' value='0.2,0.9,1.1'/><float name='k' "
+                    "value='3'/></bsdf>"),
+            parsed(R"({"type": "conductor", "eta": [0.2, 0.9, 1.1], "k": 3.0})"));
+  const ImportedScene rough = scene(ball_of(
+      "<bsdf type='roughconductor'><string name='distribution' value='ggx'/><float name='alpha' "
+      "value='0.3'/><float name='eta' value='0.5'/><float name='k' value='2'/></bsdf>"));
+  EXPECT_EQ(material(Json::parse(rough.text)),
+            parsed(R"({"type": "rough_conductor", "roughness": 0.3, "eta": 0.5, "k": 2.0})"));
+}
+
+// A tint has no place beside eta and k: the reflectance is then that along the normal.
+TEST_F(ImportedBsdfs, OfTintedMetalsHaveTheirReflectanceAlongTheNormal) {
+  const Json gold = nearly(
+      "<bsdf type='conductor'><string name='material' value='Au'/><rgb name='specular_reflectance' "
+      "value='0.5,1,1'/></bsdf>",
+      "Fresnel's factor of a metal with a tint");
   EXPECT_EQ(gold["type"], "mirror");
-  // ((n - 1)² + k²) / ((n + 1)² + k²) of 0.143036 + 3.983 i and so on, seen from air
-  expect_near(gold["reflectance"], {0.9667, 0.8020, 0.3241}, 1e-3);
-  EXPECT_DOUBLE_EQ(normal_reflectance({{1.5, 1.5, 1.5}, {0, 0, 0}}, 1)[1], 0.04);
-  EXPECT_EQ(nearly("<bsdf type='conductor'><float name='eta' value='1.000277'/><float name='k' "
-                   "value='0'/></bsdf>",
-                   "Fresnel's factor")["reflectance"],
-            0.0);
+  // ((n - 1)² + k²) / ((n + 1)² + k²) of 0.143036 + 3.983 i and so on
+  expect_near(gold["reflectance"], {0.4833, 0.8020, 0.3241}, 1e-3);
+  EXPECT_DOUBLE_EQ(normal_reflectance({{1.5, 1.5, 1.5}, {0, 0, 0}})[1], 0.04);
 }
 
 TEST_F(ImportedBsdfs, OfVersion06AreTheSameUnderTheirOldNames) {
@@ -109,10 +123,15 @@ TEST_F(ImportedBsdfs, OfVersion06AreTheSameUnderTheirOldNames) {
       exactly("<bsdf type='dielectric'><float name='intIOR' value='1.5'/><string name='extIOR' "
               "value='air'/></bsdf>"),
       parsed(R"({"type": "dielectric", "ior": 1.5, "exterior_ior": 1.000277})"));
-  const std::string copper = "<shape type='sphere'><bsdf type='conductor'/></shape>";
-  EXPECT_EQ(said("<scene version='0.6.0'>" + copper + lamp_and_camera + "</scene>")
-                .find("Fresnel's factor"),
-            0u);  // its metal is copper unless it says otherwise
+  const auto old = [&](const std::string& bsdf) {
+    return material(exact("<scene version='0.6.0'><shape type='sphere'>" + bsdf + "</shape>" +
+                          lamp_and_camera + "</scene>"));
+  };
+  // Its metal is copper unless it says otherwise, and air has an index.
+  expect_near(old("<bsdf type='conductor'/>")["k"], {3.9122, 2.4524, 2.1415}, 1e-4);
+  EXPECT_DOUBLE_EQ(old("<bsdf type='conductor'><float name='eta' value='1'/><float name='k' "
+                       "value='3'/><float name='extEta' value='1.5'/></bsdf>")["k"],
+                   2);
 }
 
 TEST_F(ImportedBsdfs, ThatLetLightPassAreLeftOut) {

@@ -220,7 +220,7 @@ TEST_F(ImportedShapesOf, MeshesHaveTheirFrontWhereTheirNormalsPoint) {
   EXPECT_FALSE(up("down.ply", flat + mirrored));
 }
 
-TEST_F(ImportedShapesOf, MeshesThatMitsubaSmoothsAreFlatOnlyApproximately) {
+TEST_F(ImportedShapesOf, MeshesThatMitsubaSmoothsAreSmooth) {
   write("roof.obj", roof);
   write("creased.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nvn 0 0 1\nvn -1 -1 1\nf 1//1 2//1 3//1\nf 2//2 4//2 "
@@ -229,12 +229,46 @@ TEST_F(ImportedShapesOf, MeshesThatMitsubaSmoothsAreFlatOnlyApproximately) {
   const auto file = [&](const char* name) {
     return shape("obj", std::string("<string name='filename' value='") + name + "'/>");
   };
-  approximate(file("roof.obj"), "the smooth shading of a mesh");
-  approximate(file("bent.obj"), "the smooth shading of a mesh");
-  exact(file("creased.obj"));
-  exact(shape(
-      "obj",
-      "<string name='filename' value='roof.obj'/><boolean name='faceNormals' value='true'/>"));
+  const auto shape_of = [&](const char* name) { return exact(file(name))["shapes"][0]; };
+  EXPECT_EQ(shape_of("bent.obj")["normals"], "smooth");
+  EXPECT_EQ(shape_of("bent.obj")["file"], "scene-meshes/bent.obj");
+  EXPECT_EQ(shape_of("roof.obj")["normals"], "smooth");
+  EXPECT_EQ(shape_of("roof.obj")["file"], "scene-meshes/roof_smooth.ply");
+  EXPECT_FALSE(shape_of("creased.obj").contains("normals"));
+  EXPECT_FALSE(exact(shape("obj",
+                           "<string name='filename' value='roof.obj'/><boolean name='faceNormals' "
+                           "value='true'/>"))["shapes"][0]
+                   .contains("normals"));
+}
+
+// As Mitsuba 3.9 computes them: weighted by angles in the world, parted where texture coordinates are.
+TEST_F(ImportedShapesOf, MeshesWithoutNormalsHaveThoseThatMitsubaComputes) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\n";
+  write("bend.obj", points + "f 1 2 3\nf 1 4 2\n");
+  write("seam.obj", points + "vt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 1/2 4/1 2/1\n");
+  const auto normals = [&](const char* name, const char* more, const Point& at) {
+    const Triangles read =
+        mesh("obj", std::string("<string name='filename' value='") + name + "'/>" + more);
+    std::vector<Point> found;
+    for (std::size_t i = 0; i < read.points.size(); ++i)
+      if (read.points[i] == at) found.push_back(read.normals[i]);
+    return found;
+  };
+  const auto expect_normal = [](const Point& found, const Point& expected) {
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], 1e-6);
+  };
+  const auto bend = normals("bend.obj", "", {1, 0, 0});
+  ASSERT_EQ(bend.size(), 1u);
+  expect_normal(bend[0], {0, 0.8156185, 0.57859});
+  ASSERT_EQ(normals("bend.obj", "", {0, 0, 0}).size(), 1u);
+  const auto seam = normals("seam.obj", "", {0, 0, 0});
+  ASSERT_EQ(seam.size(), 2u);
+  expect_normal(seam[0], {0, 0, 1});
+  expect_normal(seam[1], {0, 1, 0});
+  // Stretched to (1, 0, 0), (0, 2, 0) and (0, 0, 2): both angles are the same.
+  const auto even =
+      normals("bend.obj", "<transform name='to_world'><scale y='2'/></transform>", {1, 0, 0});
+  expect_normal(even[0], {0, std::sqrt(0.5), std::sqrt(0.5)});
 }
 
 TEST_F(ImportedShapesOf, LampsShineFromTheirFront) {

@@ -1,0 +1,35 @@
+// The index of refraction η + i k of a conductor, beside that of what is outside it: one for each
+// channel of colour.
+#pragma once
+
+#include "core/world.h"
+
+namespace wander {
+
+// Fresnel reflectance of unpolarised light, the mean of both polarisations; `cosine` > 0.
+template <std::floating_point T>
+T fresnel_conductor(T cosine, T eta, T k);
+
+template <World W>
+class ComplexIndex {
+ public:
+  using Real = typename W::Real;
+  using Constants = std::array<Real, W::channels>;
+
+  ComplexIndex(const Constants& eta, const Constants& k);
+
+  // Luminance, and what colour adds to it (tint.h).
+  struct Reflected {
+    Real value = 0;
+    [[no_unique_address]] typename W::Tint tint{};
+  };
+  Reflected reflected(typename W::Length cosine) const;
+  // Of light along the normal.
+  Real at_normal() const { return at_normal_; }
+
+ private:
+  Constants eta_, k_;
+  Real at_normal_;
+};
+
+}  // namespace wander
