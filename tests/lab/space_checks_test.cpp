@@ -15,7 +15,7 @@ namespace wander::test {
 namespace {
 
 constexpr InvarianceOptions options{
-    .samples = 12'000, .steps = 12, .seed = 3, .false_alarm = usual_false_alarm / 30};
+    .samples = 8'000, .steps = 20, .seed = 3, .false_alarm = usual_false_alarm / 30};
 
 // How many of the kernels could be told to be right; none may be wrong.
 int passed(const description::Scene& scene) {
