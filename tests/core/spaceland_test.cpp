@@ -171,6 +171,40 @@ TEST(Space, HasCamerasThatLightFindsAsItFindsSensors) {
   }
 }
 
+// Surfaces that do not touch, so that no edge of a path is short and every technique has a finite
+// variance; lamp and sensor scatter, too.
+SceneParts<W> disjoint_surfaces() {
+  SceneParts<W> parts;
+  parts.materials = {Diffuse<W>{0.8}, RoughConductor<W>{0.5, 0.9}};
+  parts.parts.push_back({Sheet({0.1, 0.1, 0}, {0.8, 0, 0.05}, {0, 0.8, 0}), 0, 0, true});
+  parts.parts.push_back({Sheet({0.2, 0.1, 1}, {0, 0.7, 0}, {0.6, 0, 0.1}), 0, 2, false});
+  parts.parts.push_back({Sheet({-0.1, 0, 0.1}, {0, 1, 0}, {0, 0, 0.8}), 1, 0, false});
+  parts.parts.push_back({Triangle<W>({1.1, 0, 0.1}, {1.1, 0, 1}, {1, 1.1, 0.3}), 0, 0, false});
+  parts.parts.push_back({Ball({0.5, 1.2, 0.5}, 0.25, Ball::Facing::outward), 0, 0.7, false});
+  parts.resolution = {2, 1};
+  parts.max_vertices = 4;
+  return parts;
+}
+
+// Every technique (s, t) by itself finds all light of paths of s + t vertices.
+TEST(Space, HasTechniquesOfWhichEachFindsAllLight) {
+  const Scene<W> scene(disjoint_surfaces());
+  const auto reference = sample_film(scene, find_estimator("bdpt"), 300'000, 1);
+  for (int n = 2; n <= 4; ++n)
+    for (int s = 0; s <= n; ++s) {
+      const Estimator family{"", TechniqueSet{s, s, n - s, n - s}, Roulette::off,
+                             Heuristic::balance};
+      const auto film = sample_film(scene, family, 100'000, static_cast<std::uint64_t>(10 * n + s));
+      std::vector<double> z, wrong;
+      BinValues half = reference.by_vertices.at(n);
+      append_differences(z, film.by_vertices.at(n), half);
+      for (BinValue& bin : half) bin.value /= 2;
+      append_differences(wrong, film.by_vertices.at(n), half);
+      EXPECT_TRUE(passes(largest_z_test(z, usual_false_alarm))) << s << " of " << n;
+      EXPECT_TRUE(rejects(largest_z_test(wrong, usual_false_alarm))) << s << " of " << n;
+    }
+}
+
 TEST(Space, WeighsTechniquesSoThatTheySumToOne) {
   SceneParts<W> parts = furnished_box();
   parts.parts[0].is_sensor = true;

@@ -36,6 +36,23 @@ inline description::Scene coloured_box() {
   return parse_scene(coloured_box_text, "box.json").scene;
 }
 
+// With a prism of gold, which is a mesh.
+inline description::Scene box_with_mesh() {
+  description::Scene scene = coloured_box();
+  Triangles prism;
+  for (const double y : {0.1, 0.3})
+    for (const auto& [x, z] : {std::pair{0.15, 0.6}, {0.35, 0.65}, {0.2, 0.8}})
+      prism.points.push_back({x, y, z});
+  prism.corners = {{0, 1, 2}, {3, 5, 4}, {0, 3, 1}, {1, 3, 4},
+                   {1, 4, 2}, {2, 4, 5}, {2, 5, 0}, {0, 5, 3}};
+  description::Mesh mesh;
+  mesh.triangles = std::make_shared<const Triangles>(std::move(prism));
+  description::Shape& shape = scene.shapes.emplace_back();
+  shape.kind = std::move(mesh);
+  shape.material = 3;
+  return scene;
+}
+
 // Without caustics, whose error bars need many samples.
 inline description::Scene coloured_box_without_caustics() {
   description::Scene scene = coloured_box();
