@@ -190,7 +190,7 @@ ExitCode compare_methods(const CompareOptions& options, CompareTask& task, const
 
   const Comparison comparison = summarize(runs_of(task, options, global, directory));
 
-  if (directory) write_comparison(comparison, directory->path());
+  if (directory) write_comparison(comparison, task.document.scene, directory->path());
   if (!global.quiet) {
     for (const std::string& line : comparison.verdict) print_note(line + "\n");
     print_note(

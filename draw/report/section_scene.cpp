@@ -65,7 +65,7 @@ void write_requirements(Html& html, const Subject& subject) {
 
 void write_scene(Html& html, const Subject& subject) {
   if (!subject.scene.description.empty()) html.element("p", subject.scene.description);
-  write_fluence(html, subject);
+  if (!subject.is_image()) write_fluence(html, subject);
   html.element("h3", "What the scene requires");
   write_requirements(html, subject);
 }
