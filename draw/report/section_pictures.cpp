@@ -79,8 +79,8 @@ void write_picture(Html& html, const std::string& label, const std::string& word
   const auto figure = html.open("figure");
   show();
   const auto caption = html.open("figcaption");
-  html.element("strong", label);
-  html.markup(figure::escaped(words));
+  html.markup(
+      fmt::format("<strong>{}</strong>{}", figure::escaped(label), figure::escaped(words)));
 }
 
 void write_side_by_side(Html& html, const Pictures& pictures, PictureStore& store,
@@ -206,8 +206,8 @@ void write_pictures(Html& html, const Subject& subject) {
   write_crops(html, pictures, crops);
   html.element("h3", "One over the other");
   html.element("p",
-               "Each contender lies over the reference: draw the corner of its picture to the left "
-               "or right, or choose one of the two.",
+               "Each contender lies over the reference: drag the lower corner of the line between "
+               "them, or choose one of the two.",
                {{"class", "on-screen"}});
   {
     const auto splits = html.open("div", {{"class", "splits"}});

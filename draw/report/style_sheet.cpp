@@ -67,8 +67,8 @@ dt { color: var(--soft); }
 dd { margin: 0; }
 .store { position: absolute; }
 .gallery, .splits { display: grid; gap: 1.25rem; margin: 1rem 0;
-  grid-template-columns: repeat(auto-fill, minmax(min(100%, 17rem), 1fr)); }
-.splits { grid-template-columns: repeat(auto-fill, minmax(min(100%, 24rem), 1fr)); }
+  grid-template-columns: repeat(auto-fit, minmax(min(100%, 12.5rem), 1fr)); }
+.splits { grid-template-columns: repeat(auto-fill, minmax(min(100%, 17rem), 1fr)); }
 .crops { display: grid; gap: 0.5rem; margin: 0 0 1rem; grid-auto-flow: column;
   grid-auto-columns: minmax(4.5rem, 11rem); }
 .gallery figure, .crops figure { margin: 0; }
