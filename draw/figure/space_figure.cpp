@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "draw/figure/block.h"
+#include "draw/figure/clip.h"
 #include "draw/figure/legend.h"
 #include "draw/figure/scene_drawing.h"
 #include "draw/figure/stage.h"
@@ -29,11 +30,19 @@ std::string words_of(WireKind kind) {
   return "";
 }
 
-std::vector<LegendEntry> legend_of(const std::vector<WireLine>& lines) {
+bool is_seen(const WireLine& line, const View& view) {
+  const auto piece = view.line(line.from, line.to);
+  const Extent extent = view.extent();
+  return piece && !clipped({piece->from, piece->to}, {extent.low, extent.high}).empty();
+}
+
+std::vector<LegendEntry> legend_of(const std::vector<WireLine>& lines, const View& view) {
   std::vector<LegendEntry> entries;
   for (const WireKind kind :
        {WireKind::light, WireKind::sensor, WireKind::surface, WireKind::glass})
-    if (std::ranges::find(lines, kind, &WireLine::kind) != lines.end())
+    if (std::ranges::any_of(lines, [&](const WireLine& line) {
+          return line.kind == kind && is_seen(line, view);
+        }))
       entries.push_back({[kind](Svg& svg, Vector left) {
                            draw_wire(svg, kind, "M" + coordinates(left) + "h" + number(swatch_width));
                          },
@@ -56,7 +65,7 @@ std::string space_figure(const description::Scene& scene, const SceneFigureOptio
   const SceneFaces faces = scene_faces(scene);
   const View view = view_of(scene, faces);
   const std::vector<WireLine> lines = wireframe(faces, view.eye());
-  const std::vector<LegendEntry> entries = legend_of(lines);
+  const std::vector<LegendEntry> entries = legend_of(lines, view);
   const double width = block_width(options.width);
   const double height = std::min(width * view.height(), greatest_height);
   const Stage stage = space_stage(view, lines);

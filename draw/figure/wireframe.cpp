@@ -36,8 +36,8 @@ class Edges {
   explicit Edges(const Place& eye) : eye_(eye) {}
 
   void add(const Place& from, const Place& to, const Place& normal, WireKind kind) {
-    const auto ends = std::minmax(key_of(from), key_of(to));
-    Edge& edge = edges_.try_emplace({ends.first, ends.second}, Edge{from, to}).first->second;
+    const std::pair<Key, Key> ends = std::minmax({key_of(from), key_of(to)});
+    Edge& edge = edges_.try_emplace(ends, Edge{from, to}).first->second;
     edge.normals.push_back(normal);
     edge.kind = std::max(edge.kind, kind);
   }

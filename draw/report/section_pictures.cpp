@@ -121,6 +121,17 @@ void write_split(Html& html, const Pictures& pictures, const PictureStore& store
   store.show(html, k, fmt::format("film of {}", label));
 }
 
+// Paper cannot be drawn wider.
+void write_splits(Html& html, const Pictures& pictures, const PictureStore& store) {
+  const auto on_screen = html.open("div", {{"class", "on-screen"}});
+  html.element("h3", "One over the other");
+  html.element("p",
+               "Each contender lies over the reference: drag the lower corner of the line between "
+               "them, or choose one of the two.");
+  const auto splits = html.open("div", {{"class", "splits"}});
+  for (std::size_t k = 0; k < pictures.images.size(); ++k) write_split(html, pictures, store, k);
+}
+
 // ---- enlarged
 
 void write_crops(Html& html, const Pictures& pictures, const std::vector<Crop>& crops) {
@@ -204,15 +215,7 @@ void write_pictures(Html& html, const Subject& subject) {
   store.add(html, pictures.reference());
   write_side_by_side(html, pictures, store, crops);
   write_crops(html, pictures, crops);
-  html.element("h3", "One over the other");
-  html.element("p",
-               "Each contender lies over the reference: drag the lower corner of the line between "
-               "them, or choose one of the two.",
-               {{"class", "on-screen"}});
-  {
-    const auto splits = html.open("div", {{"class", "splits"}});
-    for (std::size_t k = 0; k < pictures.images.size(); ++k) write_split(html, pictures, store, k);
-  }
+  write_splits(html, pictures, store);
   write_maps(html, pictures);
 }
 

@@ -123,10 +123,9 @@ constexpr std::string_view print = R"(
   details table { font-size: 6.5pt; }
   details td.number, details td.interval { white-space: normal; }
   pre { white-space: pre-wrap; overflow-wrap: anywhere; font-size: 7.5pt; }
-  .gallery, .splits { grid-template-columns: repeat(3, 1fr); gap: 4mm; }
-  .gallery figure, .crops, .split { break-inside: avoid; }
-  .split input, .split label, .on-screen { display: none; }
-  .over { resize: none; }
+  .gallery { grid-template-columns: repeat(auto-fit, minmax(40mm, 1fr)); gap: 4mm; }
+  .crops { break-inside: avoid; grid-auto-columns: minmax(0, 32mm); }
+  .on-screen { display: none; }
   details::details-content { content-visibility: visible; display: block; height: auto; }
   summary { list-style: none; }
 }
@@ -153,7 +152,7 @@ constexpr std::array nights{
 // Of a picture what stands on its ground follows: the rest is drawn for tones that stay.
 std::string night_colours() {
   constexpr std::string_view ground = ".picture svg > :is(rect, text)",
-                             title = ".picture .tone-legend > text",
+                             title = ".picture :is(.tone-legend, .colour-bar) > text",
                              furniture = ".picture :is(.axis, .legend)";
   std::string rules;
   for (const Night& colour : nights)
