@@ -9,6 +9,9 @@
 
 namespace wander {
 
+// Else a row of bins.
+inline bool is_image(std::span<const int> film_shape) { return film_shape.size() > 1; }
+
 struct ImageShape {
   std::size_t height = 1, width = 0, channels = 1;
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
+#include "core/image_shape.h"
 #include "statistics/number_text.h"
 
 namespace wander {
@@ -35,6 +37,15 @@ std::string extent_in_words(std::span<const int> film_shape) {
     return fmt::format("{} bins", film_shape.empty() ? 0 : film_shape.front());
   return fmt::format("{} x {} pixels{}", film_shape[1], film_shape[0],
                      film_shape.size() > 2 ? " in colour" : "");
+}
+
+std::string place_in_words(std::span<const int> film_shape, std::size_t index) {
+  if (film_shape.size() < 2) return fmt::format("bin {}", index);
+  constexpr std::array colours{"red", "green", "blue"};
+  const std::size_t channels = ImageShape(film_shape).channels, pixel = index / channels;
+  const auto width = static_cast<std::size_t>(film_shape[1]);
+  const std::string place = fmt::format("pixel ({}, {})", pixel % width, pixel / width);
+  return channels == 1 ? place : fmt::format("{}, {}", place, colours.at(index % channels));
 }
 
 std::string with_error(const Estimate& estimate) {

@@ -13,6 +13,8 @@ std::string duration_in_words(double seconds);  // "0.35 s", "12 s", "3 min 5 s"
 std::string percent(double share);              // "1.2 %", "unknown" when it is not finite
 // Of the shape of a film: "100 bins", "640 x 480 pixels", width first, "… in colour".
 std::string extent_in_words(std::span<const int> film_shape);
+// Of a number of a film: "bin 7", "pixel (12, 34)", column first, "… , green".
+std::string place_in_words(std::span<const int> film_shape, std::size_t index);
 std::string with_error(const Estimate& estimate);  // "0.612 ± 0.004"
 
 }  // namespace wander

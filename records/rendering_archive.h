@@ -2,10 +2,14 @@
 // bit, with numbers that are not finite, which JSON does not have.
 #pragma once
 
+#include <cereal/archives/binary.hpp>
 #include <cereal/types/map.hpp>
 #include <cereal/types/optional.hpp>
 #include <cereal/types/string.hpp>
 #include <cereal/types/vector.hpp>
+#include <sstream>
+#include <string>
+#include <utility>
 
 #include "records/rendering.h"
 
@@ -59,6 +63,23 @@ void serialize(Archive& archive, Rendering& r) {
   archive(r.complete, r.method, r.samples, r.seed, r.threads, r.seconds, r.processor_seconds,
           r.seed_seconds, r.precision, r.film, r.normalization, r.chains, r.groups, r.chains_record,
           r.mutations, r.warnings);
+}
+
+template <class Value>
+std::string archived(const Value& value) {
+  std::ostringstream bytes;
+  cereal::BinaryOutputArchive archive(bytes);
+  archive(value);
+  return std::move(bytes).str();
+}
+// Throws a std::exception if they are no such value.
+template <class Value>
+Value from_archive(std::string bytes) {
+  std::istringstream stream(std::move(bytes));
+  cereal::BinaryInputArchive archive(stream);
+  Value value;
+  archive(value);
+  return value;
 }
 
 }  // namespace wander

@@ -20,6 +20,7 @@
 #include <string>
 
 #include "core/description.h"
+#include "records/scene_faces.h"
 #include "records/trajectory_record.h"
 
 namespace wander {
@@ -30,5 +31,7 @@ std::string to_netcdf(const TrajectoryRecord& record, const description::Scene& 
 std::optional<TrajectoryRecord> find_trajectory(const std::filesystem::path& path);
 // The same where a trajectory is required.
 TrajectoryRecord read_trajectory(const std::filesystem::path& path);
+// The geometry of a scene in space that the file of a trajectory holds.
+SceneFaces read_faces(const std::filesystem::path& path);
 
 }  // namespace wander

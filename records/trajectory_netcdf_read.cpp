@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 
 #include "records/film_netcdf.h"
 #include "records/netcdf.h"
@@ -125,16 +124,34 @@ TrajectoryRecord record_from(const Group& root) {
   return record;
 }
 
-}  // namespace
+SceneFaces faces_from(const Group& root) {
+  const Group group = root.group("constant_data");
+  SceneFaces faces;
+  const std::size_t size = group.dimension("face");
+  group.read("shape", size, faces.shape);
+  group.read("kind", size, faces.kind);
+  group.read("material", size, faces.material);
+  group.read("corners", 9 * size, faces.corners);
+  group.read("radius", size, faces.radius);
+  group.read("flip", size, faces.flipped);
+  group.read("radiance", size, faces.radiance);
+  group.read("is_sensor", size, faces.is_sensor);
+  require_below(faces.kind, 0, faces.kinds.size(), "kind");
+  return faces;
+}
 
-std::optional<TrajectoryRecord> find_trajectory(const std::filesystem::path& path) {
-  std::error_code unreachable;
-  if (!std::filesystem::is_regular_file(path, unreachable)) return std::nullopt;
+std::string bytes_of(const std::filesystem::path& path, std::size_t most) {
   std::ifstream file(path, std::ios::binary);
-  std::string bytes(signature.size(), '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (bytes != signature || is_film_netcdf(path)) return std::nullopt;
-  bytes.append(std::istreambuf_iterator<char>(file), {});
+  std::string bytes(most, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(most));
+  bytes.resize(static_cast<std::size_t>(file.gcount()));
+  return bytes;
+}
+
+// What `part` reads from the root of the file.
+template <class Part>
+auto read_whole(const std::filesystem::path& path, Part&& part) {
+  const std::string bytes = bytes_of(path, std::filesystem::file_size(path));
   const std::optional<std::string_view> whole = unsealed(bytes);
   if (!whole)
     throw RunFileError(
@@ -143,16 +160,28 @@ std::optional<TrajectoryRecord> find_trajectory(const std::filesystem::path& pat
                     path.string()));
   try {
     const netcdf::Reader reader(*whole);
-    return record_from(reader.root());
+    return part(reader.root());
   } catch (const netcdf::Error& problem) {
     throw RunFileError(fmt::format("{}: not a trajectory of format {}: {}", path.string(),
                                    trajectory_format, problem.what()));
   }
 }
 
+}  // namespace
+
+std::optional<TrajectoryRecord> find_trajectory(const std::filesystem::path& path) {
+  std::error_code unreachable;
+  if (!std::filesystem::is_regular_file(path, unreachable)) return std::nullopt;
+  const std::string beginning = bytes_of(path, signature.size());
+  if (beginning != signature || is_film_netcdf(path)) return std::nullopt;
+  return read_whole(path, record_from);
+}
+
 TrajectoryRecord read_trajectory(const std::filesystem::path& path) {
   if (auto record = find_trajectory(path)) return *std::move(record);
   throw RunFileError(fmt::format("{}: not a trajectory file (netCDF-4)", path.string()));
 }
+
+SceneFaces read_faces(const std::filesystem::path& path) { return read_whole(path, faces_from); }
 
 }  // namespace wander

@@ -190,7 +190,7 @@ ExitCode compare_methods(const CompareOptions& options, CompareTask& task, const
 
   const Comparison comparison = summarize(runs_of(task, options, global, directory));
 
-  if (directory) write_comparison(comparison, directory->path());
+  if (directory) write_comparison(comparison, task.document.scene, directory->path());
   if (!global.quiet) {
     for (const std::string& line : comparison.verdict) print_note(line + "\n");
     print_note(
@@ -226,15 +226,17 @@ other.  Values that hold commas are parted by semicolons:
 --sweep 'mutations=lens=1,primary=1;bidirectional=1'.
 
 Errors are measured against a reference whose own error is known and allowed for:
-  FILE  the DIR of an earlier render, its run.json, film.exr or film.nc, or a reference.json
+  FILE  the DIR of an earlier render, its run.json, film.exr or film.nc, or the reference.json or
+        films/reference.exr of an earlier comparison; its film has the shape of that of the scene
   auto  the exact film where all is diffuse and made of segments; else a mean of long runs of the two
         methods, contenders or not, that tell most in a second by a short trial.  Together they take
         as long as 3 R runs at the largest budget, and they are made first.  A warning says so where
         the two do not agree.  Long runs are kept for the next time in $XDG_CACHE_HOME/wanderlight
         or ~/.cache/wanderlight; remove that folder to make them anew.
 
-DIR receives report.html, compare.json, compare.csv and reference.json, and a folder `kept` with the
-reference and every finished run, from which --continue carries the comparison on, also after Ctrl-C
+DIR receives report.html, compare.json and compare.csv; of scenes in the plane reference.json, in space
+films/reference.exr and films/METHOD-BUDGET.exr, the first replicate of each contender at each budget;
+and a folder `kept` with the reference and every finished run, from which --continue carries the comparison on, also after Ctrl-C
 or a crash: what is there is not made again.  With samples the films are those of a comparison that
 never stopped.  Ctrl-C ends it with the runs that are complete, if there are any: exit code 130 and
 "complete": false.  A run in which a chain finds no light to start from is recorded as failed and

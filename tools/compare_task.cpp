@@ -88,14 +88,6 @@ std::optional<CompareTask> examine_new(const CompareOptions& options, const Glob
   std::optional<SceneDocument> document;
   // Faults of the scene are told even where nothing is known of the contenders.
   examination.part([&] { document = open_scene(options.scene); });
-  if (document && document->scene.dimension != 2) {
-    examination.part([] {
-      throw UsageError(
-          "compare is for scenes in the plane; in space render with each method, and hold the runs "
-          "against one of them: wander plot RUN… --reference RUN");
-    });
-    return {};
-  }
   if (!plan || !document) return {};
   request.scene_text = document->text;
   request.scene_sha256 = document->sha256;

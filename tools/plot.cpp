@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "draw/figure/scene_figure.h"
+#include "draw/figure/space_figure.h"
 #include "draw/figure/style.h"
 #include "draw/report/error_figure.h"
 #include "lab/compare/comparison_json.h"
@@ -31,8 +32,14 @@ namespace {
 
 struct Figure {
   const char* kind;
-  std::string svg;
+  std::string text;  // SVG, or the lines of an OBJ file
 };
+
+// Of paths in space, and no figure.
+bool is_of_lines(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  return ending == ".obj" || ending == ".OBJ";
+}
 
 std::string scene_svg(const PlotOptions& options) {
   const std::string& file = options.files.front();
@@ -43,10 +50,11 @@ std::string scene_svg(const PlotOptions& options) {
     throw UsageError(shown_name(file) + " is a scene; scenes are drawn one at a time");
   if (!options.reference.empty())
     throw UsageError("--reference is drawn into films, and " + shown_name(file) + " is a scene");
-  if (scene.dimension != 2) throw UsageError(file + ": plot draws two-dimensional scenes");
-  return figure::scene_figure(scene,
-                              {.title = options.title.value_or(scene.name),
-                               .width = options.width.value_or(figure::style::column_width)});
+  const figure::SceneFigureOptions how{
+      .title = options.title.value_or(scene.name),
+      .width = options.width.value_or(figure::style::column_width)};
+  return scene.dimension == 2 ? figure::scene_figure(scene, how)
+                              : figure::space_figure(scene, how);
 }
 
 // Its films are drawn by report.html, beside which it lies.
@@ -71,16 +79,24 @@ void require_no_exposure(const PlotOptions& options, const char* what) {
         fmt::format("--exposure is for images, and {} is {}", options.files.front(), what));
 }
 
+Figure figure_of_trajectory(const TrajectoryRecord& record, const PlotOptions& options,
+                            const Global& global) {
+  require_linear(options, "a trajectory");
+  return {"trajectory", is_of_lines(global.out) ? trajectory_obj(record, options)
+                                                : trajectory_svg(record, options)};
+}
+
 // Which kind of file the first one is decides; a scene is what is nothing else.
-Figure figure_of(const PlotOptions& options) {
+Figure figure_of(const PlotOptions& options, const Global& global) {
   const std::string& file = options.files.front();
   const bool is_file = !is_scene(file) && std::filesystem::is_regular_file(file);
   if (is_file)
-    if (const auto record = find_trajectory(file)) {
-      require_linear(options, "a trajectory");
-      require_no_exposure(options, "a trajectory");
-      return {"trajectory", trajectory_svg(*record, options)};
-    }
+    if (const auto record = find_trajectory(file))
+      return figure_of_trajectory(*record, options, global);
+  if (is_of_lines(global.out))
+    throw UsageError(fmt::format("{}: the lines of a trajectory in space, and {} is none; a figure "
+                                 "is SVG, PNG or PDF, and its name ends in .svg, .png or .pdf",
+                                 global.out.string(), file));
   if (!options.trajectory.is_empty())
     throw UsageError(file +
                      " is no trajectory, which --figure, --draws, --chain, --mutation and --class "
@@ -110,20 +126,30 @@ void require_sensible(const PlotOptions& options, const Global& global) {
         "with it");
 }
 
+void require_ending(const PlotOptions& options, const Global& global) {
+  if (!is_of_lines(global.out))
+    figure_file(global.out, options.dpi, ", or .obj for the paths of a trajectory in space");
+  else if (options.dpi)
+    throw UsageError(fmt::format("--dpi is for FILE.png; {} has no pixels", global.out.string()));
+}
+
 // What is drawn is read, and with it its faults are found; misread words are not taken for files.
 void examine(PlotOptions& options, const Global& global, Figure& figure, Examination& examination) {
   const bool words_are_known = examination.is_passed();
   examination.part([&] { require_sensible(options, global); });
   examination.part([&] { require_replaceable(global.out, global); });
   if (!global.out.empty() && !options.fluence.wanted)
-    examination.part([&] { figure_file(global.out, options.dpi); });
+    examination.part([&] { require_ending(options, global); });
   if (words_are_known && !options.fluence.wanted)
-    examination.part([&] { figure = figure_of(options); });
+    examination.part([&] { figure = figure_of(options, global); });
 }
 
 ExitCode plot(const PlotOptions& options, const Global& global, const Figure& figure) {
   if (options.fluence.wanted) return plot_fluence(options, global);
-  write_figure(figure_file(global.out, options.dpi), figure.svg);
+  if (is_of_lines(global.out))
+    write_output(global.out, figure.text);
+  else
+    write_figure(figure_file(global.out, options.dpi), figure.text);
   if (global.json)
     print_json({{"schema", "wanderlight-plot/1"},
                 {"kind", figure.kind},
@@ -249,13 +275,16 @@ A scene is drawn with its lights (red, rays on the side that shines), its sensor
 the side that listens) and its materials.  Films are drawn with 95 % intervals; bins that are not
 reliable are hatched.  Several runs share one figure.  Images stand beside maps of their relative
 error; beside an image that is held against another, the --reference or the second of two, stands
-their difference in units of the standard error of both.  Of a comparison the error is drawn against
-time, with the times from which on one contender is ahead of another.  Of a trajectory the first
+their difference in units of the standard error of both.  Scenes in space are drawn as the outline
+that their camera has of them, with what is hidden.  Of a comparison the error is drawn against time, with the times from which on one contender is ahead of another.  Of a trajectory the first
 steps are drawn one by one: the current path black, accepted proposals solid, rejected ones dashed,
 failed ones dotted as far as they came; moves too small to be seen are enlarged.
 The fluence is the integral of radiance over all directions, in W/m; the image has it as channel Y,
 with standard_error.Y.
-The ending says what the figure is: .svg, .png (300 dpi) or .pdf.
+In space the paths are drawn over the outline of the scene, or over an image of it, which is then the
+second FILE.
+The ending says what the figure is: .svg, .png (300 dpi) or .pdf; of a trajectory in space also .obj,
+its paths as lines (objects start, accepted, rejected and failed), which Blender opens.
 
 Examples:
   wander plot scene.json -o scene.svg
@@ -264,6 +293,8 @@ Examples:
   wander plot image_mlt image_bdpt --exposure 1 -o images.png
   wander plot comparison -o error.svg
   wander plot trace.nc --figure paths --chain 2 --draws 100:112 -o paths.svg
+  wander plot trace3d.nc image_mlt --figure paths -o paths3d.svg
+  wander plot trace3d.nc --draws 0:500 -o paths3d.obj
   wander plot scene.json --fluence -b 2M -o light.svg
 )";
 

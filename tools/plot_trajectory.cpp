@@ -3,12 +3,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 
+#include "core/image_shape.h"
+#include "draw/figure/image_maps.h"
+#include "draw/figure/image_panel.h"
+#include "draw/figure/path_lines.h"
+#include "draw/figure/space_figure.h"
 #include "draw/figure/style.h"
 #include "draw/figure/trajectory_figure.h"
 #include "lab/failure.h"
 #include "lab/nearest.h"
 #include "lab/scene_source.h"
+#include "lab/wording.h"
+#include "records/tone.h"
+#include "records/trajectory_netcdf.h"
+#include "tools/plot_film.h"
 
 namespace wander {
 
@@ -16,14 +27,17 @@ namespace {
 
 void require_drawable(const TrajectoryRecord& record, const PlotOptions& options) {
   const std::string& file = options.files.front();
-  if (options.files.size() > 1)
+  const bool in_space = record.trajectory.dimension == 3;
+  if (options.files.size() > (in_space ? 2u : 1u))
     throw UsageError(file + " is a trajectory; trajectories are drawn one at a time");
   if (!options.reference.empty())
     throw UsageError("--reference is drawn into films, and " + file + " is a trajectory");
-  if (record.trajectory.dimension != 2)
-    throw UsageError(file +
-                     ": plot draws trajectories in two-dimensional scenes; FILE.csv of "
-                     "`wander trace` has the numbers of others");
+  if (options.exposure && options.files.size() < 2)
+    throw UsageError("--exposure is for images, and " + file + " is a trajectory");
+  if (in_space && options.trajectory.figure == TrajectoryFigure::density)
+    throw UsageError("--figure density is of the plane, and " + file +
+                     " is a trajectory in space; paths, trace, acceptance and autocorrelation are "
+                     "drawn of it");
 }
 
 std::string_view kind_of(std::string_view option) { return option.substr(2); }
@@ -76,13 +90,65 @@ std::string drawn(const figure::TrajectoryPage& page, TrajectoryFigure wanted) {
   return page.overview();
 }
 
+// The geometry is that of the file of the trajectory: no mesh is read for it.
+description::Scene scene_without_meshes(const TrajectoryRecord& record, const std::string& file) {
+  const auto any_mesh = [](const std::string&) {
+    return Triangles{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+  };
+  return parse_scene(record.provenance.scene_text, file, any_mesh).scene;
+}
+
+// The film that the paths are drawn over, of the same camera.
+std::string backdrop(const description::Scene& scene, const PlotOptions& options) {
+  const std::string& file = options.files.back();
+  const std::optional<Film> film = find_film(file);
+  if (!film || !film->is_image())
+    throw UsageError(fmt::format("{} is no image, over which {} could be drawn", file,
+                                 options.files.front()));
+  const FilmEstimate& image = film->run.rendering.film;
+  if (!scene.camera)
+    throw UsageError(fmt::format("{} is of a scene without a camera: it is drawn over no image",
+                                 options.files.front()));
+  const std::vector<int>& resolution = scene.camera->resolution;
+  if (std::int64_t{image.shape[1]} * resolution[1] != std::int64_t{image.shape[0]} * resolution[0])
+    throw UsageError(fmt::format("{} has {}, and the camera of {} {} x {}: their pictures differ",
+                                 file, extent_in_words(image.shape), options.files.front(),
+                                 resolution[0], resolution[1]));
+  const FilmEstimate shown = figure::averaged(image);
+  const ImageShape size(shown.shape);
+  const double white = white_of(image) / std::exp2(options.exposure.value_or(0));
+  return figure::picture_png(srgb_bytes(shown.value, white), size.width, size.height,
+                             size.channels);
+}
+
+figure::Stage stage_of(const TrajectoryRecord& record, const description::Scene& scene,
+                       const PlotOptions& options) {
+  if (record.trajectory.dimension == 2) return figure::plane_stage(scene);
+  const SceneFaces faces = read_faces(options.files.front());
+  const figure::View view = figure::view_of(scene, faces);
+  return figure::space_stage(view, figure::wireframe(faces, view.eye()),
+                             options.files.size() > 1 ? backdrop(scene, options) : "");
+}
+
 }  // namespace
+
+std::string trajectory_obj(const TrajectoryRecord& record, const PlotOptions& options) {
+  require_drawable(record, options);
+  const std::string& file = options.files.front();
+  if (record.trajectory.dimension != 3)
+    throw UsageError(file + " is a trajectory in the plane; FILE.obj is for those in space");
+  if (options.files.size() > 1 || options.trajectory.figure || options.width || options.title)
+    throw UsageError("FILE.obj has the lines of one trajectory: " + file +
+                     " alone, without --figure, --width and --title");
+  return figure::path_lines(
+      figure::Steps(record.trajectory, filter_of(record.trajectory, options)));
+}
 
 std::string trajectory_svg(const TrajectoryRecord& record, const PlotOptions& options) {
   require_drawable(record, options);
-  const description::Scene scene =
-      parse_scene(record.provenance.scene_text, options.files.front()).scene;
-  const figure::TrajectoryPage page(record.trajectory, scene, filter_of(record.trajectory, options),
+  const description::Scene scene = scene_without_meshes(record, options.files.front());
+  const figure::TrajectoryPage page(record.trajectory, stage_of(record, scene, options),
+                                    filter_of(record.trajectory, options),
                                     options.title.value_or(record.provenance.scene_name),
                                     options.width.value_or(figure::style::page_width));
   return drawn(page, options.trajectory.figure.value_or(TrajectoryFigure::all));

@@ -8,6 +8,8 @@
 
 namespace wander {
 
+// As the lines of an OBJ file (draw/figure/path_lines.h).
+std::string trajectory_obj(const TrajectoryRecord& record, const PlotOptions& options);
 std::string trajectory_svg(const TrajectoryRecord& record, const PlotOptions& options);
 
 }  // namespace wander

@@ -29,16 +29,21 @@ struct Functional {
   std::function<double(const Trajectory&, std::size_t)> value;
 };
 
-const std::array<Functional, 3>& functionals() {
-  static const std::array<Functional, 3> all{
-      {{"position on the sensor",
-        [](const Trajectory& t, std::size_t i) {
-          return t.state.film[i * static_cast<std::size_t>(t.dimension - 1)];
-        }},
-       {"log f", [](const Trajectory& t, std::size_t i) { return t.log_f[i]; }},
-       {"number of vertices", [](const Trajectory& t, std::size_t i) {
-          return static_cast<double>(t.state.vertices[i]);
-        }}}};
+std::vector<Functional> functionals_of(const Trajectory& trajectory) {
+  const auto axis = [](std::size_t k) {
+    return [k](const Trajectory& t, std::size_t i) {
+      return t.state.film[i * static_cast<std::size_t>(t.dimension - 1) + k];
+    };
+  };
+  std::vector<Functional> all;
+  if (trajectory.dimension == 2)
+    all = {{"position on the sensor", axis(0)}};
+  else
+    all = {{"x on the film", axis(0)}, {"y on the film", axis(1)}};
+  all.push_back({"log f", [](const Trajectory& t, std::size_t i) { return t.log_f[i]; }});
+  all.push_back({"number of vertices", [](const Trajectory& t, std::size_t i) {
+                   return static_cast<double>(t.state.vertices[i]);
+                 }});
   return all;
 }
 
@@ -147,7 +152,7 @@ std::vector<double> autocorrelation(std::span<const double> x, int lags) {
 Block autocorrelation_chart(const Steps& steps, double width) {
   const int lags = std::clamp(steps.draws() / 4, 1, most_lags);
   std::vector<Curves> all;
-  for (const Functional& functional : functionals())
+  for (const Functional& functional : functionals_of(steps.trajectory()))
     all.push_back(curves_of(steps, functional, lags));
   const Range values{lowest(all), 1};
   const Quantity lag = lag_of(steps.trajectory());

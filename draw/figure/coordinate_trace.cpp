@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "draw/figure/axis.h"
@@ -19,6 +20,12 @@ constexpr double points_per_tick = 60;
 // For half of the last label of the axis.
 constexpr double right_room = 12;
 
+constexpr std::array coordinates_of_film{style::accepted, style::rejected};
+
+std::size_t axes_of(const Steps& steps) {
+  return static_cast<std::size_t>(steps.trajectory().dimension - 1);
+}
+
 // The steps of one column of one chain.
 struct Column {
   double first, last;  // draws, `last` not included
@@ -26,7 +33,7 @@ struct Column {
   double rejected = 0;  // share
 };
 
-std::vector<Column> columns_of(const Steps& steps, int chain) {
+std::vector<Column> columns_of(const Steps& steps, int chain, std::size_t axis) {
   const int draws = steps.draws(), count = std::min(draws, most_columns);
   const Trajectory& t = steps.trajectory();
   const auto axes = static_cast<std::size_t>(t.dimension - 1);
@@ -38,7 +45,7 @@ std::vector<Column> columns_of(const Steps& steps, int chain) {
     Column column{static_cast<double>(edge(c)), static_cast<double>(edge(c + 1))};
     for (int draw = edge(c); draw < edge(c + 1); ++draw) {
       const std::size_t index = steps.index(chain, draw);
-      const double u = t.state.film[index * axes];
+      const double u = t.state.film[index * axes + axis];
       if (std::isfinite(u)) {
         column.low = std::min(column.low, u);
         column.high = std::max(column.high, u);
@@ -86,11 +93,14 @@ std::string rug_data(const std::vector<Column>& columns, const Panel& panel) {
 
 void draw_chain(Svg& svg, const Steps& steps, int chain, const Panel& panel) {
   const auto scope = svg.group("trace");
-  const std::vector<Column> columns = columns_of(steps, chain);
-  svg.path(line_data(columns, panel), {{"class", "coordinate"},
-                                       {"stroke", style::accepted.colour},
-                                       {"stroke-width", 0.7},
-                                       {"fill", "none"}});
+  const std::vector<Column> columns = columns_of(steps, chain, 0);
+  for (std::size_t axis = 0; axis < axes_of(steps); ++axis)
+    svg.path(line_data(columns_of(steps, chain, axis), panel),
+             {{"class", "coordinate"},
+              {"stroke", coordinates_of_film[axis].colour},
+              {"stroke-dasharray", coordinates_of_film[axis].dashes},
+              {"stroke-width", 0.7},
+              {"fill", "none"}});
   const double step =
       panel.x.page.width() / std::max<double>(1, static_cast<double>(columns.size()));
   svg.path(rug_data(columns, panel), {{"class", "rejections"},
@@ -107,7 +117,8 @@ Range steps_range(const Steps& steps) {
 
 std::string heading_of(const Steps& steps, std::size_t shown) {
   std::string text =
-      fmt::format("Position on the sensor, {}; marks below: rejections", in_words(steps));
+      fmt::format("Position on the {}, {}; marks below: rejections",
+                  axes_of(steps) > 1 ? "film, x solid and y dashed" : "sensor", in_words(steps));
   if (shown < steps.chains().size()) text += fmt::format(" (the first {} chains)", shown);
   return text;
 }

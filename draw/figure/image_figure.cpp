@@ -8,9 +8,9 @@
 #include "core/film_statistics.h"
 #include "core/image_shape.h"
 #include "core/tint.h"
-#include "draw/figure/block.h"
 #include "draw/figure/image_maps.h"
 #include "draw/figure/image_panel.h"
+#include "draw/figure/map_panel.h"
 #include "draw/figure/style.h"
 #include "draw/figure/tones.h"
 #include "lab/wording.h"
@@ -19,14 +19,6 @@
 
 namespace wander::figure {
 namespace {
-
-// Labels at the ends of a scale stand out by the inset.
-constexpr double gap = 18, inset = 4, most_height = 330;
-
-// Labels take so much of the page.
-int ticks_in(Range page, double points) {
-  return std::max(2, static_cast<int>(page.width() / points));
-}
 
 // One image and, if there is one, the other that it is held against.
 struct Row {
@@ -79,10 +71,6 @@ bool has_gaps(const PixelMap& map) {
   return std::ranges::any_of(map.values, [](double value) { return std::isnan(value); });
 }
 
-double aspect_of(const PixelMap& map) {
-  return static_cast<double>(map.height) / static_cast<double>(map.width);
-}
-
 ImagePanel error_panel(const PixelMap& map, const FilmEstimate& film, const ToneScale& scale) {
   const double share =
       static_cast<double>(reliable_bins(film)) / static_cast<double>(film.value.size());
@@ -90,27 +78,8 @@ ImagePanel error_panel(const PixelMap& map, const FilmEstimate& film, const Tone
       fmt::format("{} of the film; {} of its {} are reliable", percent(relative_error(film)),
                   percent(share), channels_of(film.shape) > 1 ? "numbers" : "pixels");
   if (has_gaps(map)) words += "; grey: not known";
-  return {{"relative standard error", words},
-          map_png(thinned(map), light_colours(), [=](double value) { return scale.tone(value); }),
-          aspect_of(map),
-          scale_of(light_colours()),
-          [=](Range page) {
-            return make_log_axis({"standard error / value", ""}, scale.domain, page);
-          }};
-}
-
-// Wide enough for all but few, and for what chance makes of agreement.
-double largest_shown(const std::vector<PixelMap>& maps) {
-  constexpr double usual = 4, beyond = 0.002, most = 100;
-  std::vector<double> sizes;
-  for (const PixelMap& map : maps)
-    for (const double z : map.values)
-      if (std::isfinite(z)) sizes.push_back(std::abs(z));
-  if (sizes.empty()) return usual;
-  const auto at = sizes.begin() +
-                  static_cast<std::ptrdiff_t>((1 - beyond) * static_cast<double>(sizes.size() - 1));
-  std::ranges::nth_element(sizes, at);
-  return std::clamp(std::ceil(*at), usual, most);
+  return log_panel({"relative standard error", words}, thinned(map), scale,
+                   {"standard error / value", ""});
 }
 
 std::string agreement(const Row& row, const PixelMap& map) {
@@ -124,19 +93,10 @@ std::string agreement(const Row& row, const PixelMap& map) {
   return has_gaps(map) ? text + "; grey: not reliable" : text;
 }
 
-ImagePanel difference_panel(const Row& row, const PixelMap& map, double most) {
-  const auto tone = [most](double z) {
-    const double place = std::clamp((z + most) / (2 * most), 0., 1.);
-    return static_cast<std::uint8_t>(std::lround(255 * place));
-  };
-  return {{fmt::format("{} − {}", row.image->label, row.other->label), agreement(row, map)},
-          map_png(thinned(map), difference_colours(), tone),
-          aspect_of(map),
-          scale_of(difference_colours()),
-          [most](Range page) {
-            return make_axis({"z: difference / standard error of both", ""}, {-most, most}, page,
-                             ticks_in(page, 18));
-          }};
+ImagePanel row_difference(const Row& row, const PixelMap& map, double most) {
+  return difference_panel({fmt::format("{} − {}", row.image->label, row.other->label),
+                           agreement(row, map)},
+                          thinned(map), most);
 }
 
 // All maps of a figure, which have their scales in common.
@@ -156,25 +116,12 @@ std::vector<ImagePanel> map_panels(const std::vector<Row>& rows) {
   const double most = largest_shown(differences);
   std::vector<ImagePanel> panels;
   for (std::size_t k = 0; k < rows.size(); ++k)
-    panels.push_back(rows[k].other ? difference_panel(rows[k], maps[k], most)
+    panels.push_back(rows[k].other ? row_difference(rows[k], maps[k], most)
                                    : error_panel(maps[k], rows[k].image->rendering.film, scale));
   return panels;
 }
 
 // ---- the page
-
-Block row_block(ImagePanel left, ImagePanel right, double page_width) {
-  const double width = (page_width - gap - 2 * inset) / 2;
-  PanelSize of_left = panel_size(left, width, most_height),
-            of_right = panel_size(right, width, most_height);
-  of_left.lines = of_right.lines = std::max(of_left.lines, of_right.lines);
-  return {"", of_left.height(),
-          [=, left = std::move(left), right = std::move(right)](Svg& svg, Vector top_left) {
-            top_left.x += inset;
-            draw_panel(svg, left, of_left, top_left, width);
-            draw_panel(svg, right, of_right, top_left + Vector{width + gap, 0}, width);
-          }};
-}
 
 std::string spoken(const std::vector<Row>& rows) {
   std::string text;
@@ -195,7 +142,7 @@ std::string image_figure(const std::vector<LabelledFilm>& images,
   std::vector<ImagePanel> maps = map_panels(rows);
   std::vector<Block> blocks;
   for (std::size_t k = 0; k < rows.size(); ++k)
-    blocks.push_back(row_block(picture_panel(*rows[k].image, options.value, white),
+    blocks.push_back(panel_row(picture_panel(*rows[k].image, options.value, white),
                                std::move(maps[k]), block_width(page_width)));
   return page(options.title, spoken(rows), page_width, blocks);
 }

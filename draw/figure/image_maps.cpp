@@ -69,7 +69,10 @@ std::size_t pixels_per_pixel(std::size_t width, std::size_t height) {
 }
 
 PixelMap thinned(const PixelMap& map) {
-  const std::size_t n = pixels_per_pixel(map.width, map.height);
+  return thinned(map, pixels_per_pixel(map.width, map.height));
+}
+
+PixelMap thinned(const PixelMap& map, std::size_t n) {
   PixelMap few{(map.width + n - 1) / n, (map.height + n - 1) / n, {}};
   for (std::size_t y = 0; y < map.height; y += n)
     for (std::size_t x = 0; x < map.width; x += n)
@@ -79,7 +82,12 @@ PixelMap thinned(const PixelMap& map) {
 
 FilmEstimate averaged(const FilmEstimate& image) {
   const ImageShape shape(image.shape);
-  const std::size_t n = pixels_per_pixel(shape.width, shape.height), channels = shape.channels;
+  return averaged(image, pixels_per_pixel(shape.width, shape.height));
+}
+
+FilmEstimate averaged(const FilmEstimate& image, std::size_t n) {
+  const ImageShape shape(image.shape);
+  const std::size_t channels = shape.channels;
   const std::size_t width = (shape.width + n - 1) / n, height = (shape.height + n - 1) / n;
   FilmEstimate few{.shape = image.shape};
   few.shape[0] = static_cast<int>(height);

@@ -24,8 +24,10 @@ PixelMap difference_map(const FilmEstimate& image, const FilmEstimate& other);
 
 // What of a map or an image a figure can show: every n-th pixel of every n-th row.
 std::size_t pixels_per_pixel(std::size_t width, std::size_t height);
+PixelMap thinned(const PixelMap& map, std::size_t n);
 PixelMap thinned(const PixelMap& map);
 // An image is averaged over these squares; at its edges, over what there is of them.
+FilmEstimate averaged(const FilmEstimate& image, std::size_t n);
 FilmEstimate averaged(const FilmEstimate& image);
 
 }  // namespace wander::figure

@@ -13,6 +13,8 @@ namespace {
 constexpr double line_height = 9, words_gap = 4, bar_gap = 5, bar_height = 6;
 constexpr std::size_t enough_across = 1024;  // pixels of the longer side
 constexpr Rgb not_known_colour{0xb0, 0xb0, 0xb0};
+// Labels at the ends of a scale stand out by the inset.
+constexpr double gap = 18, inset = 4, most_height = 330;
 
 std::vector<std::string> lines_of(const ImagePanel& panel, double width) {
   std::vector<std::string> lines;
@@ -110,6 +112,23 @@ void draw_panel(Svg& svg, const ImagePanel& panel, const PanelSize& size, Vector
     draw_frame(svg, image, size.image);
   }
   draw_bar(svg, panel, image + Vector{0, size.image.y + bar_gap}, size.image.x);
+}
+
+Block panel_row(ImagePanel left, ImagePanel right, double page_width) {
+  const double width = (page_width - gap - 2 * inset) / 2;
+  PanelSize of_left = panel_size(left, width, most_height),
+            of_right = panel_size(right, width, most_height);
+  of_left.lines = of_right.lines = std::max(of_left.lines, of_right.lines);
+  return {"", of_left.height(),
+          [=, left = std::move(left), right = std::move(right)](Svg& svg, Vector top_left) {
+            top_left.x += inset;
+            draw_panel(svg, left, of_left, top_left, width);
+            draw_panel(svg, right, of_right, top_left + Vector{width + gap, 0}, width);
+          }};
+}
+
+int ticks_in(Range page, double points) {
+  return std::max(2, static_cast<int>(page.width() / points));
 }
 
 }  // namespace wander::figure

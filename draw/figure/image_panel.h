@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "draw/figure/axis.h"
+#include "draw/figure/block.h"
 #include "draw/figure/colour_map.h"
 #include "draw/figure/image_maps.h"
 
@@ -40,5 +41,11 @@ struct PanelSize {
 PanelSize panel_size(const ImagePanel& panel, double width, double most_height);
 void draw_panel(Svg& svg, const ImagePanel& panel, const PanelSize& size, Vector top_left,
                 double width);
+
+// Two side by side, as wide as the page and no higher than half of one.
+Block panel_row(ImagePanel left, ImagePanel right, double page_width);
+
+// Labels take so many points of the page each.
+int ticks_in(Range page, double points);
 
 }  // namespace wander::figure

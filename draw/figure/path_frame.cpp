@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "statistics/number_text.h"
@@ -68,8 +69,16 @@ std::string_view name_of(PathKind kind) {
 
 std::string data_of(const PolyLine& line, const PageMap& map, const Window& window) {
   PolyLine on_page;
-  for (const Vector& v : line) on_page.push_back(map(v));
-  return clipped(on_page, window);
+  std::string data;
+  for (const Vector& v : line) {
+    if (!std::isnan(v.x)) {
+      on_page.push_back(map(v));
+      continue;
+    }
+    data += clipped(on_page, window);
+    on_page.clear();
+  }
+  return data + clipped(on_page, window);
 }
 
 void dots(Svg& svg, const PolyLine& path, PathKind kind, const PageMap& map, const Window& window) {

@@ -14,6 +14,7 @@
 
 namespace wander::figure {
 
+// A vertex that is no number parts what does not hang together (steps.h).
 using PolyLine = std::vector<Vector>;
 
 struct PathFrame {

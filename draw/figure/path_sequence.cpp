@@ -75,9 +75,9 @@ void place_rows(Grid& grid, const std::vector<Cell>& cells) {
   }
 }
 
-Cell cell_of(PathFrame frame, const Grid& grid, const PageMap& map) {
+Cell cell_of(PathFrame frame, const Stage& stage, const Grid& grid, const PageMap& map) {
   Cell cell{std::move(frame), {}, {}, {}};
-  cell.zoom = zoom_of(cell.frame, map.scale);
+  if (stage.plane != nullptr) cell.zoom = zoom_of(cell.frame, map.scale);
   const double beside = cell.zoom ? zoom_side + zoom_gap : 0;
   const double width = grid.drawing.x - padding + 4 - beside;
   cell.title = wrapped(cell.frame.title, style::bold_width * caption_size, width);
@@ -113,7 +113,7 @@ std::vector<LegendEntry> legend() {
 }
 
 // The whole scene with the paths, and below it the caption and what has to be enlarged.
-void draw_cell(Svg& svg, const Cell& cell, const Grid& grid, const description::Scene& scene,
+void draw_cell(Svg& svg, const Cell& cell, const Grid& grid, const Stage& stage,
                const PageMap& map) {
   const Window window{{0, 0}, grid.drawing};
   draw_paths(svg, cell.frame, map, window);
@@ -121,18 +121,18 @@ void draw_cell(Svg& svg, const Cell& cell, const Grid& grid, const description::
   draw_failure(svg, cell.frame, map, window);
   draw_caption(svg, cell, {padding - 4, grid.drawing.y - 3});
   if (cell.zoom)
-    draw_zoom(svg, cell.frame, scene, *cell.zoom, map,
+    draw_zoom(svg, cell.frame, *stage.plane, *cell.zoom, map,
               {grid.drawing.x - padding - zoom_side, grid.drawing.y - 1}, zoom_side);
 }
 
 // The scene is drawn once and used again in every frame.
 void draw_cells(Svg& svg, const std::vector<Cell>& cells, const Grid& grid,
-                const description::Scene& scene, Vector top_left) {
-  const PageMap map = grid.map(extent_of(scene));
+                const Stage& stage, Vector top_left) {
+  const PageMap map = grid.map(stage.extent);
   {
     const auto definitions = svg.open("defs", {});
     const auto drawing = svg.open("g", {{"id", "sequence-scene"}});
-    draw_scene(svg, scene, map);
+    stage.draw(svg, map);
   }
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const Vector place = top_left + grid.place(k);
@@ -140,22 +140,22 @@ void draw_cells(Svg& svg, const std::vector<Cell>& cells, const Grid& grid,
         "g", {{"class", "step"},
               {"transform", fmt::format("translate({} {})", number(place.x), number(place.y))}});
     svg.use("sequence-scene");
-    draw_cell(svg, cells[k], grid, scene, map);
+    draw_cell(svg, cells[k], grid, stage, map);
   }
 }
 
 }  // namespace
 
-Block path_sequence(const Steps& steps, const description::Scene& scene, double width, int most) {
+Block path_sequence(const Steps& steps, const Stage& stage, double width, int most) {
   std::vector<PathFrame> frames;
   std::size_t count = 0;
   steps.each([&](const Step& step) {
     if (count++ < static_cast<std::size_t>(most)) frames.push_back(path_frame(steps, step));
   });
-  Grid grid = grid_for(frames.size(), extent_of(scene), width);
-  const PageMap map = grid.map(extent_of(scene));
+  Grid grid = grid_for(frames.size(), stage.extent, width);
+  const PageMap map = grid.map(stage.extent);
   auto cells = std::make_shared<std::vector<Cell>>();
-  for (PathFrame& frame : frames) cells->push_back(cell_of(std::move(frame), grid, map));
+  for (PathFrame& frame : frames) cells->push_back(cell_of(std::move(frame), stage, grid, map));
   place_rows(grid, *cells);
   const std::vector<LegendEntry> entries = legend();
   std::string heading = fmt::format("Mutated paths, {}", in_words(steps));
@@ -167,7 +167,7 @@ Block path_sequence(const Steps& steps, const description::Scene& scene, double 
   return {heading, above + below, [=](Svg& svg, Vector top_left) {
             const auto scope = svg.group("path-sequence");
             draw_legend(svg, entries, top_left, width);
-            draw_cells(svg, *cells, grid, scene, top_left + Vector{0, above});
+            draw_cells(svg, *cells, grid, stage, top_left + Vector{0, above});
           }};
 }
 

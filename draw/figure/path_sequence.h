@@ -3,13 +3,13 @@
 // dashed where it was rejected, and words say which mutation it was and what became of it.
 #pragma once
 
-#include "core/description.h"
 #include "draw/figure/block.h"
+#include "draw/figure/stage.h"
 #include "draw/figure/steps.h"
 
 namespace wander::figure {
 
 // The first `most` of the steps; the heading says of how many.
-Block path_sequence(const Steps& steps, const description::Scene& scene, double width, int most);
+Block path_sequence(const Steps& steps, const Stage& stage, double width, int most);
 
 }  // namespace wander::figure

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace wander::figure {
 namespace {
@@ -16,9 +17,10 @@ std::string_view word(const std::vector<std::string>& words, std::int32_t index)
 
 }  // namespace
 
-Steps::Steps(const Trajectory& trajectory, const StepFilter& filter)
+Steps::Steps(const Trajectory& trajectory, const StepFilter& filter, Projection projection)
     : trajectory_(&trajectory),
       filter_(filter),
+      projection_(std::move(projection)),
       chains_(filter.chains),
       first_(std::clamp(filter.first, 0, trajectory.draws)),
       end_(std::clamp(filter.end, first_, trajectory.draws)) {
@@ -54,40 +56,52 @@ std::optional<Steps::State> Steps::before(const Step& step) const {
   return State{&t.state, step.index - 1};
 }
 
+std::vector<Vector> Steps::drawn(std::span<const double> coordinates) const {
+  if (projection_) return projection_(coordinates);
+  const auto axes = static_cast<std::size_t>(trajectory_->dimension);
+  std::vector<Vector> line;
+  for (std::size_t at = 0; at + axes <= coordinates.size(); at += axes) {
+    const Vector v{coordinates[at], coordinates[at + 1]};
+    if (std::isfinite(v.x) && std::isfinite(v.y)) line.push_back(v);
+  }
+  return line;
+}
+
 std::vector<std::vector<Vector>> Steps::attempt(const Step& step) const {
   const RecordedAttempts& attempts = trajectory_->attempts;
   const auto axes = static_cast<std::size_t>(trajectory_->dimension);
-  std::size_t at = step.index * static_cast<std::size_t>(attempts.max_points) * axes;
+  const auto points = static_cast<std::size_t>(attempts.max_points);
+  const std::span<const double> all =
+      std::span(attempts.position).subspan(step.index * points * axes, points * axes);
+  const auto is_point = [&](std::size_t k) {
+    return std::ranges::all_of(all.subspan(k * axes, axes),
+                               [](double x) { return std::isfinite(x); });
+  };
   std::vector<std::vector<Vector>> lines;
-  bool goes_on = false;
-  for (int k = 0; k < attempts.max_points; ++k, at += axes) {
-    const Vector p{attempts.position[at], attempts.position[at + 1]};
-    const bool is_point = std::isfinite(p.x) && std::isfinite(p.y);
-    if (is_point && !goes_on) lines.emplace_back();
-    if (is_point) lines.back().push_back(p);
-    goes_on = is_point;
+  for (std::size_t first = 0; first < points;) {
+    std::size_t end = first;
+    while (end < points && is_point(end)) ++end;
+    if (end > first) lines.push_back(drawn(all.subspan(first * axes, (end - first) * axes)));
+    first = end + 1;
   }
   return lines;
 }
 
 std::optional<Vector> Steps::failure(const Step& step) const {
   const auto& column = trajectory_->attempts.failure;
-  const std::size_t at = step.index * static_cast<std::size_t>(trajectory_->dimension);
-  if (at + 1 >= column.size() || !std::isfinite(column[at]) || !std::isfinite(column[at + 1]))
-    return std::nullopt;
-  return Vector{column[at], column[at + 1]};
+  const auto axes = static_cast<std::size_t>(trajectory_->dimension);
+  if ((step.index + 1) * axes > column.size()) return std::nullopt;
+  const std::vector<Vector> spot = drawn(std::span(column).subspan(step.index * axes, axes));
+  if (spot.empty()) return std::nullopt;
+  return spot.front();
 }
 
 std::vector<Vector> Steps::path(const RecordedPaths& paths, std::size_t index) const {
   const int count = std::clamp(paths.vertices[index], 0, trajectory_->max_vertices);
   const auto axes = static_cast<std::size_t>(trajectory_->dimension);
-  std::size_t at = index * static_cast<std::size_t>(trajectory_->max_vertices) * axes;
-  std::vector<Vector> vertices;
-  for (int k = 0; k < count; ++k, at += axes) {
-    const Vector v{paths.position[at], paths.position[at + 1]};
-    if (std::isfinite(v.x) && std::isfinite(v.y)) vertices.push_back(v);
-  }
-  return vertices;
+  return drawn(std::span(paths.position)
+                   .subspan(index * static_cast<std::size_t>(trajectory_->max_vertices) * axes,
+                            static_cast<std::size_t>(count) * axes));
 }
 
 std::string_view Steps::path_class(const RecordedPaths& paths, std::size_t index) const {

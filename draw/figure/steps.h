@@ -6,6 +6,7 @@
 // the chain before the first draw.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +16,10 @@
 #include "records/trajectory.h"
 
 namespace wander::figure {
+
+// Where the vertices of a line are drawn, given their coordinates one after the other; a vertex that
+// is no number parts what does not hang together.
+using Projection = std::function<std::vector<Vector>(std::span<const double> coordinates)>;
 
 struct StepFilter {
   std::vector<int> chains;  // empty: all
@@ -31,8 +36,9 @@ struct Step {
 
 class Steps {
  public:
-  // The trajectory outlives this; what the filter names exists.
-  Steps(const Trajectory& trajectory, const StepFilter& filter);
+  // The trajectory outlives this; what the filter names exists.  Without a projection lines lie in
+  // the plane of their first two coordinates.
+  Steps(const Trajectory& trajectory, const StepFilter& filter, Projection projection = {});
 
   const Trajectory& trajectory() const { return *trajectory_; }
   const StepFilter& filter() const { return filter_; }
@@ -77,9 +83,11 @@ class Steps {
 
  private:
   bool is_chosen(const Step& step) const;
+  std::vector<Vector> drawn(std::span<const double> coordinates) const;
 
   const Trajectory* trajectory_;
   StepFilter filter_;
+  Projection projection_;
   std::vector<int> chains_;
   int first_, end_;
 };

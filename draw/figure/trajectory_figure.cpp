@@ -26,11 +26,11 @@ StepFilter of_any_kind(StepFilter filter) {
 
 }  // namespace
 
-TrajectoryPage::TrajectoryPage(const Trajectory& trajectory, const description::Scene& scene,
-                               const StepFilter& filter, std::string title, double page_width)
-    : scene_(&scene),
+TrajectoryPage::TrajectoryPage(const Trajectory& trajectory, Stage stage, const StepFilter& filter,
+                               std::string title, double page_width)
+    : stage_(std::move(stage)),
       chosen_(trajectory, filter),
-      sequence_(trajectory, of_first_chain(filter)),
+      sequence_(trajectory, of_first_chain(filter), stage_.projection),
       whole_(trajectory, of_any_kind(filter)),
       title_(std::move(title)),
       page_width_(page_width) {}
@@ -43,7 +43,7 @@ std::string TrajectoryPage::single(const char* what, Block block) const {
 
 std::string TrajectoryPage::paths() const {
   return single("a sequence of mutated light paths",
-                path_sequence(sequence_, *scene_, width(), most_steps));
+                path_sequence(sequence_, stage_, width(), most_steps));
 }
 
 std::string TrajectoryPage::trace() const {
@@ -60,15 +60,16 @@ std::string TrajectoryPage::autocorrelation() const {
 }
 
 std::string TrajectoryPage::density() const {
-  return single("density of visited paths", density_picture(chosen_, *scene_, width()));
+  return single("density of visited paths", density_picture(chosen_, *stage_.plane, width()));
 }
 
 std::string TrajectoryPage::overview() const {
-  return page(
-      title_, "overview of a trajectory", page_width_,
-      {path_sequence(sequence_, *scene_, width(), most_steps_of_many),
-       coordinate_trace(whole_, width(), most_chains_of_many), acceptance_chart(chosen_, width()),
-       autocorrelation_chart(whole_, width()), density_picture(chosen_, *scene_, width())});
+  std::vector<Block> blocks{path_sequence(sequence_, stage_, width(), most_steps_of_many),
+                            coordinate_trace(whole_, width(), most_chains_of_many),
+                            acceptance_chart(chosen_, width()),
+                            autocorrelation_chart(whole_, width())};
+  if (stage_.plane != nullptr) blocks.push_back(density_picture(chosen_, *stage_.plane, width()));
+  return page(title_, "overview of a trajectory", page_width_, blocks);
 }
 
 }  // namespace wander::figure

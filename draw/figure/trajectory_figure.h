@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "core/description.h"
 #include "draw/figure/block.h"
+#include "draw/figure/stage.h"
 #include "draw/figure/steps.h"
 #include "draw/figure/style.h"
 
@@ -15,18 +17,21 @@ class TrajectoryPage {
   // Trajectory and scene outlive this; what the filter names exists.
   TrajectoryPage(const Trajectory& trajectory, const description::Scene& scene,
                  const StepFilter& filter, std::string title,
-                 double page_width = style::page_width);
+                 double page_width = style::page_width)
+      : TrajectoryPage(trajectory, plane_stage(scene), filter, std::move(title), page_width) {}
+  TrajectoryPage(const Trajectory& trajectory, Stage stage, const StepFilter& filter,
+                 std::string title, double page_width = style::page_width);
 
   // SVG documents.
   std::string paths() const;
   std::string trace() const;
   std::string acceptance() const;
   std::string autocorrelation() const;
-  std::string density() const;
+  std::string density() const;  // of a scene of the plane
   std::string overview() const;
 
  private:
-  const description::Scene* scene_;
+  Stage stage_;
   Steps chosen_;
   Steps sequence_;  // of the chosen steps those of the first chain
   Steps whole_;     // all steps of the same chains and draws, for what needs a series without gaps

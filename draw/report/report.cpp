@@ -87,7 +87,11 @@ void write_section(Html& html, const Section& section, const Subject& subject) {
 }  // namespace
 
 std::string report_html(const compare::Comparison& comparison) {
-  const Subject subject = report::subject_of(comparison);
+  return report_html(comparison, report::scene_of(comparison));
+}
+
+std::string report_html(const compare::Comparison& comparison, const description::Scene& scene) {
+  const Subject subject{comparison, scene};
   Html html;
   html.markup("<!DOCTYPE html>\n");
   {

@@ -4,11 +4,13 @@
 
 #include <string>
 
+#include "core/description.h"
 #include "lab/compare/comparison.h"
 
 namespace wander {
 
-// The scene is that of the provenance; throws SceneFileError where its text is none.
+// The scene is that of the provenance; throws SceneFileError where its text is none, or needs meshes.
 std::string report_html(const compare::Comparison& comparison);
+std::string report_html(const compare::Comparison& comparison, const description::Scene& scene);
 
 }  // namespace wander

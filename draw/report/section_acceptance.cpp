@@ -139,7 +139,7 @@ void write_acceptance(Html& html, const Subject& subject) {
   write_outcomes(html, subject);
   write_mutations(html, subject);
   write_by_length(html, subject);
-  write_by_bin(html, subject);
+  if (!subject.is_image()) write_by_bin(html, subject);
   html.element("p",
                "Not significant: consecutive proposals of a chain depend on one another, so these "
                "shares carry no intervals. Small differences between them mean nothing.",

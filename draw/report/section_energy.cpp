@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "draw/figure/film_series.h"
 #include "draw/report/chart_pages.h"
 #include "draw/report/class_shares.h"
 #include "draw/report/embedding.h"
@@ -16,6 +17,10 @@ namespace wander::report {
 namespace {
 
 using Energies = std::vector<std::map<int, compare::Measured>>;  // by contender
+
+std::string unit_of(const Subject& subject) {
+  return figure::film_axes(subject.scene).value.unit;
+}
 
 std::set<int> lengths_of(const Energies& energies) {
   std::set<int> lengths;
@@ -47,7 +52,7 @@ void write_chart(Html& html, const Subject& subject, const Energies& energies) {
           {.x = {.quantity = {"vertices of the path, both ends counted", ""},
                  .spacing = figure::Spacing::whole,
                  .range = figure::Range{*lengths.begin() - 0.5, *lengths.rbegin() + 0.5}},
-           .y = {.quantity = {"mean over the film", "W/m"},
+           .y = {.quantity = {"mean over the film", unit_of(subject)},
                  .spacing = figure::Spacing::logarithmic},
            .panels = {std::move(panel)}},
           "Light by path length",
@@ -112,7 +117,7 @@ void write_lengths(Html& html, const Subject& subject, const Energies& energies)
       const auto found = energies[k].find(vertices);
       cells.push_back(found == energies[k].end() ? "none" : with_interval(found->second));
     }
-    table.add_column({subject.label(k) + ", W/m"}, cells);
+    table.add_column({subject.label(k) + ", " + unit_of(subject)}, cells);
   }
   write_folded(html, "Light by path length, in figures", table);
 }
@@ -122,7 +127,8 @@ void write_lengths(Html& html, const Subject& subject, const Energies& energies)
 void write_energy(Html& html, const Subject& subject) {
   Energies energies;
   for (std::size_t k = 0; k < subject.contenders(); ++k)
-    energies.push_back(energy_by_length(subject.replicates(k)));
+    energies.push_back(
+        energy_by_length(WholeReplicates(subject, k, subject.last_budget()).runs()));
   if (lengths_of(energies).empty()) {
     html.element("p", "The films hold no light of any length, or were not kept by length.",
                  {{"class", "note"}});

@@ -194,7 +194,7 @@ void write_cells(Html& html, const Subject& subject) {
   claims.add_column({"time, s"}, aligned(seconds));
   claims.add_column({"samples"}, samples);
   claims.add_column({"claimed error, %"}, aligned(claimed));
-  claims.add_column({"coverage, % of bins"}, coverage);
+  claims.add_column({fmt::format("coverage, % of {}", subject.bins())}, coverage);
   write_folded(html, "Cost, bias and claims of all cells, in figures", claims);
 }
 

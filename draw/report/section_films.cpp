@@ -10,6 +10,7 @@
 #include "draw/report/sections.h"
 #include "draw/report/table.h"
 #include "lab/reference_name.h"
+#include "lab/wording.h"
 
 namespace wander::report {
 namespace {
@@ -66,7 +67,10 @@ void write_distances(Html& html, const Subject& subject) {
     const FilmEstimate& film = details->film;
     names.push_back(subject.label(k));
     claimed.push_back(100 * relative_error(film));
-    reliable.push_back(fmt::format("{} of {}", reliable_bins(film), film.value.size()));
+    reliable.push_back(subject.is_image()
+                           ? percent(static_cast<double>(reliable_bins(film)) /
+                                     static_cast<double>(film.value.size()))
+                           : fmt::format("{} of {}", reliable_bins(film), film.value.size()));
     const bool comparable = reference.shape == film.shape;
     const FilmComparison found =
         comparable ? film_comparison(film, reference)
@@ -75,15 +79,17 @@ void write_distances(Html& html, const Subject& subject) {
     chi2.push_back(found.chi2_per_degree);
     held.push_back(rounded(100 * found.covered_share));
   }
+  const std::string bins = subject.bins(), bin = bins.substr(0, bins.size() - 1);
   Table table = named_rows(
-      "These films, one replicate each: the distance from the reference, and "
-      "the error that the film claims. χ² per bin is near 1 where claims hold.",
+      fmt::format("These films, one replicate each: the distance from the reference, and the error "
+                  "that the film claims. χ² per {} is near 1 where claims hold.",
+                  bin),
       "contender", names);
   table.add_column({"distance, %"}, aligned(seen));
   table.add_column({"claimed error, %"}, aligned(claimed));
-  table.add_column({"χ² per bin"}, aligned(chi2));
-  table.add_column({"bins whose interval holds the reference, %"}, held);
-  table.add_column({"reliable bins"}, reliable);
+  table.add_column({"χ² per " + bin}, aligned(chi2));
+  table.add_column({bins + " whose interval holds the reference, %"}, held);
+  table.add_column({"reliable " + bins}, reliable);
   write_table(html, table);
 }
 
@@ -98,7 +104,10 @@ void write_films(Html& html, const Subject& subject) {
   }
   if (const std::string& origin = subject.runs().reference.origin; !origin.empty())
     html.element("p", fmt::format("The reference: {}.", origin));
-  write_panels(html, subject, films);
+  if (subject.is_image())
+    write_pictures(html, subject);
+  else
+    write_panels(html, subject, films);
   write_distances(html, subject);
 }
 

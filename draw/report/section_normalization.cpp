@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/film_statistics.h"
+#include "core/tint.h"
+#include "draw/figure/film_series.h"
 #include "draw/figure/interval_rows.h"
 #include "draw/figure/scale_of_ten.h"
 #include "draw/figure/share_bars.h"
@@ -21,6 +23,10 @@ namespace {
 // Beyond so many standard errors of their difference, two estimates disagree.
 constexpr double alarm = 4;
 constexpr std::size_t groups_per_figure = 4;
+
+std::string unit_of(const Subject& subject) {
+  return figure::film_axes(subject.scene).value.unit;
+}
 
 std::vector<std::size_t> normalized_contenders(const Subject& subject) {
   std::vector<std::size_t> found;
@@ -89,14 +95,18 @@ std::optional<Estimate> reference_mean(const Subject& subject) {
   const FilmEstimate& film = subject.runs().reference.film;
   if (film.value.empty()) return std::nullopt;
   double variance = 0;
-  for (const double error : film.standard_error) variance += error * error;
+  const int channels = channels_of(film.shape);
+  for (std::size_t i = 0; i < film.standard_error.size(); ++i) {
+    const double share = channels * luminance_weight(channels, i) * film.standard_error[i];
+    variance += share * share;
+  }
   return Estimate{mean_value(film), std::sqrt(variance) / static_cast<double>(film.value.size())};
 }
 
 void write_estimates(Html& html, const Subject& subject) {
   const std::vector<std::size_t> contenders = normalized_contenders(subject);
   for (std::size_t first = 0; first < contenders.size(); first += groups_per_figure) {
-    figure::IntervalRows rows{.x = {.quantity = {"b, the mean of the film", "W/m"}}};
+    figure::IntervalRows rows{.x = {.quantity = {"b, the mean of the film", unit_of(subject)}}};
     for (std::size_t k = first; k < std::min(contenders.size(), first + groups_per_figure); ++k)
       rows.groups.push_back(group_of(subject, contenders[k]));
     if (const auto mean = reference_mean(subject)) {
@@ -176,7 +186,7 @@ void write_lengths(Html& html, const Subject& subject) {
     std::vector<std::string> cells(names.size(), "none");
     for (const LengthShare& share : subject.details(k)->normalization->by_length)
       cells[row_of[share.vertices]] = note_of(share);
-    table.add_column({subject.label(k) + ", W/m"}, cells);
+    table.add_column({subject.label(k) + ", " + unit_of(subject)}, cells);
   }
   write_folded(html, "b by path length, in figures", table);
 }

@@ -7,6 +7,7 @@
 #include "draw/figure/fluence_figure.h"
 #include "draw/figure/plane_picture.h"
 #include "draw/figure/share_bars.h"
+#include "draw/figure/space_figure.h"
 #include "draw/report/embedding.h"
 #include "draw/report/numbers.h"
 #include "draw/report/sections.h"
@@ -34,6 +35,13 @@ void write_fluence(Html& html, const Subject& subject) {
                   "on it.",
                   count_in_words(static_cast<double>(walks))),
       Ground::paper);
+}
+
+void write_outline(Html& html, const Subject& subject) {
+  write_figure(html,
+               figure::space_figure(subject.scene, {.title = subject.scene.name,
+                                                    .width = figure::style::column_width}),
+               "The outline of the scene as its camera has it, with what is hidden.");
 }
 
 std::string or_none(std::vector<std::string> words) {
@@ -65,7 +73,10 @@ void write_requirements(Html& html, const Subject& subject) {
 
 void write_scene(Html& html, const Subject& subject) {
   if (!subject.scene.description.empty()) html.element("p", subject.scene.description);
-  write_fluence(html, subject);
+  if (subject.is_image())
+    write_outline(html, subject);
+  else
+    write_fluence(html, subject);
   html.element("h3", "What the scene requires");
   write_requirements(html, subject);
 }

@@ -149,9 +149,10 @@ void write_spread_table(Html& html, const Subject& subject,
   }
   Table table = named_rows("Spread between seeds over claimed standard error, at the last budget.",
                            "contender", subject.labels());
-  table.add_column({"all bins together"}, aligned(pooled));
-  table.add_column({"95 % of bins expected in", Kind::interval}, expected);
-  table.add_column({"bins outside"}, beyond);
+  const std::string bins = subject.bins();
+  table.add_column({fmt::format("all {} together", bins)}, aligned(pooled));
+  table.add_column({fmt::format("95 % of {} expected in", bins), Kind::interval}, expected);
+  table.add_column({bins + " outside"}, beyond);
   write_table(html, table);
 }
 
@@ -208,12 +209,14 @@ void write_r_hat(Html& html, const Subject& subject) {
 
 void write_spread(Html& html, const Subject& subject) {
   std::vector<SeedSpread> spreads;
-  for (std::size_t k = 0; k < subject.contenders(); ++k)
-    spreads.push_back(spread_of(subject.replicates(k)));
+  for (std::size_t k = 0; k < subject.contenders(); ++k) {
+    spreads.push_back(spread_of(WholeReplicates(subject, k, subject.last_budget()).runs()));
+    if (subject.is_image()) spreads.back().ratio.clear();
+  }
   const bool some = std::ranges::any_of(spreads, &SeedSpread::is_known);
-  write_seeds(html, subject);
+  if (!subject.is_image()) write_seeds(html, subject);
   if (some) {
-    write_ratios(html, subject, spreads);
+    if (!subject.is_image()) write_ratios(html, subject, spreads);
     write_words(html, subject, spreads);
     write_spread_table(html, subject, spreads);
   } else {

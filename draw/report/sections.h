@@ -9,6 +9,8 @@ namespace wander::report {
 void write_verdict(Html& html, const Subject& subject);
 void write_scene(Html& html, const Subject& subject);
 void write_films(Html& html, const Subject& subject);
+// Of images, in the place of films.
+void write_pictures(Html& html, const Subject& subject);
 void write_spread(Html& html, const Subject& subject);
 void write_errors(Html& html, const Subject& subject);
 void write_acceptance(Html& html, const Subject& subject);

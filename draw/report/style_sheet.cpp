@@ -65,6 +65,26 @@ code, pre { font-family: ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, mono
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 0.2rem 1.25rem; }
 dt { color: var(--soft); }
 dd { margin: 0; }
+.store { position: absolute; }
+.gallery, .splits { display: grid; gap: 1.25rem; margin: 1rem 0;
+  grid-template-columns: repeat(auto-fit, minmax(min(100%, 12.5rem), 1fr)); }
+.splits { grid-template-columns: repeat(auto-fill, minmax(min(100%, 17rem), 1fr)); }
+.crops { display: grid; gap: 0.5rem; margin: 0 0 1rem; grid-auto-flow: column;
+  grid-auto-columns: minmax(4.5rem, 11rem); }
+.gallery figure, .crops figure { margin: 0; }
+.gallery svg, .crops svg, .split svg { display: block; width: 100%; min-width: 0; height: auto; }
+.crops svg, .gallery svg, .split svg, .picture .picture { image-rendering: pixelated; }
+.gallery svg text { font-family: inherit; }
+.split { border: 0; margin: 0; padding: 0; min-width: 0; }
+.split legend { font-weight: 600; padding: 0; }
+.split label { margin: 0 0.9rem 0 0.25rem; font-size: 0.9rem; }
+.frame { position: relative; container-type: inline-size; margin-top: 0.4rem; }
+.over { position: absolute; top: 0; left: 0; height: 100%; width: 50%; max-width: 100%;
+  overflow: hidden; resize: horizontal; border-right: 2px solid #ffffff;
+  box-shadow: 1px 0 0 #000000; }
+.split .over svg { width: 100cqw; }
+.left:checked ~ .frame .over { width: 100% !important; resize: none; border: 0; }
+.right:checked ~ .frame .over { display: none; }
 @media (max-width: 40rem) { nav ol { columns: 1; } dl { display: block; }
   dd + dt { margin-top: 0.4rem; } }
 @media screen and (max-width: 40rem) {
@@ -103,6 +123,9 @@ constexpr std::string_view print = R"(
   details table { font-size: 6.5pt; }
   details td.number, details td.interval { white-space: normal; }
   pre { white-space: pre-wrap; overflow-wrap: anywhere; font-size: 7.5pt; }
+  .gallery { grid-template-columns: repeat(auto-fit, minmax(40mm, 1fr)); gap: 4mm; }
+  .crops { break-inside: avoid; grid-auto-columns: minmax(0, 32mm); }
+  .on-screen { display: none; }
   details::details-content { content-visibility: visible; display: block; height: auto; }
   summary { list-style: none; }
 }
@@ -129,7 +152,7 @@ constexpr std::array nights{
 // Of a picture what stands on its ground follows: the rest is drawn for tones that stay.
 std::string night_colours() {
   constexpr std::string_view ground = ".picture svg > :is(rect, text)",
-                             title = ".picture .tone-legend > text",
+                             title = ".picture :is(.tone-legend, .colour-bar) > text",
                              furniture = ".picture :is(.axis, .legend)";
   std::string rules;
   for (const Night& colour : nights)

@@ -12,10 +12,10 @@ std::vector<std::string> Subject::labels() const {
   return labels;
 }
 
-std::vector<const Run*> Subject::replicates(std::size_t contender) const {
+std::vector<const Run*> Subject::replicates(std::size_t contender, std::size_t budget) const {
   std::vector<const Run*> found;
   for (const Run& run : runs().runs)
-    if (run.contender == contender && run.budget == last_budget()) found.push_back(&run);
+    if (run.contender == contender && run.budget == budget) found.push_back(&run);
   std::ranges::sort(found, {}, &Run::replicate);
   return found;
 }
@@ -33,9 +33,21 @@ const Rendering* Subject::details(std::size_t contender) const {
   return rendering.film.value.empty() ? nullptr : &rendering;
 }
 
-Subject subject_of(const Comparison& comparison) {
+description::Scene scene_of(const Comparison& comparison) {
   const Provenance& provenance = comparison.runs.provenance;
-  return {comparison, parse_scene(provenance.scene_text, provenance.scene_name).scene};
+  return parse_scene(provenance.scene_text, provenance.scene_name).scene;
+}
+
+WholeReplicates::WholeReplicates(const Subject& subject, std::size_t contender,
+                                 std::size_t budget) {
+  for (const Run* run : subject.replicates(contender, budget)) {
+    const bool is_here = !run->film.value.empty() || !subject.runs().shelf;
+    if (!is_here) {
+      lent_.push_back(*run);
+      lent_.back().film = subject.runs().shelf(*run);
+    }
+    runs_.push_back(is_here ? run : &lent_.back());
+  }
 }
 
 std::vector<std::size_t> chain_contenders(const Subject& subject) {

@@ -1,6 +1,7 @@
 // What all sections of a report speak of: the comparison, its scene, and what follows from both.
 #pragma once
 
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -29,15 +30,37 @@ struct Subject {
   }
   std::vector<std::string> labels() const;
 
-  // The replicates of a contender at the last budget.
-  std::vector<const Run*> replicates(std::size_t contender) const;
+  // The replicates of a contender, at the last budget unless said otherwise.
+  std::vector<const Run*> replicates(std::size_t contender) const {
+    return replicates(contender, last_budget());
+  }
+  std::vector<const Run*> replicates(std::size_t contender, std::size_t budget) const;
+  // Films are images.
+  bool is_image() const { return scene.dimension == 3; }
+  // What a film is made of.
+  const char* bins() const { return is_image() ? "numbers" : "bins"; }
   // Empty where there is no such cell.
   std::vector<Cell> cells(std::size_t contender) const;
   // The whole record of the first replicate at the last budget; null where it is missing.
   const Rendering* details(std::size_t contender) const;
 };
 
-Subject subject_of(const Comparison& comparison);
+description::Scene scene_of(const Comparison& comparison);
+
+// The replicates of a contender at a budget with their films, those from the shelf included, for as
+// long as it lives.
+class WholeReplicates {
+ public:
+  WholeReplicates(const Subject& subject, std::size_t contender, std::size_t budget);
+  WholeReplicates(const WholeReplicates&) = delete;
+  WholeReplicates& operator=(const WholeReplicates&) = delete;
+
+  const std::vector<const Run*>& runs() const { return runs_; }
+
+ private:
+  std::deque<Run> lent_{};
+  std::vector<const Run*> runs_{};
+};
 
 // Contenders whose records of chains exist.
 std::vector<std::size_t> chain_contenders(const Subject& subject);

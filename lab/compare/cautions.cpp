@@ -36,6 +36,7 @@ class Named {
 struct View {
   const Comparison& comparison;
   const std::vector<CellRuns>& cells;
+  const std::vector<Disagreement>& disagreements;
 
   std::size_t contenders() const { return comparison.runs.contenders.size(); }
   std::size_t at(std::size_t contender) const {
@@ -102,7 +103,7 @@ void of_the_reference(std::vector<std::string>& cautions, const View& view,
 void of_the_replicates(std::vector<std::string>& cautions, const View& view) {
   Named disagreeing, biased;
   for (std::size_t c = 0; c < view.contenders(); ++c) {
-    const Disagreement found = disagreement_of(view.cells[view.at(c)]);
+    const Disagreement& found = view.disagreements[view.at(c)];
     if (found.ratio > found.threshold)
       disagreeing.add(view.comparison, c, number_text(found.ratio, 2) + " times");
     const Measured& bias = view.comparison.cells[view.at(c)].bias;
@@ -180,9 +181,10 @@ Disagreement disagreement_of(const CellRuns& cell) {
 
 std::vector<std::string> cautions_of(const Comparison& comparison,
                                      const std::vector<CellRuns>& cells,
+                                     const std::vector<Disagreement>& disagreements,
                                      const Yardstick& yardstick) {
   std::vector<std::string> cautions;
-  const View view{comparison, cells};
+  const View view{comparison, cells, disagreements};
   of_missing_runs(cautions, view);
   of_the_reference(cautions, view, yardstick);
   of_the_replicates(cautions, view);

@@ -11,11 +11,6 @@
 
 namespace wander::compare {
 
-// `cells` are the usable runs, [contender][budget].
-std::vector<std::string> cautions_of(const Comparison& comparison,
-                                     const std::vector<CellRuns>& cells,
-                                     const Yardstick& yardstick);
-
 // Spread of the replicates over what their own error bars say,
 //   √( Σ_j var_r(x_rj) / Σ_j mean_r(se_rj²) )   over bins that are reliable in all of them,
 // with the value that it exceeds once in a thousand times if the error bars are right: the root of
@@ -24,5 +19,12 @@ struct Disagreement {
   double ratio = not_known, threshold = not_known;
 };
 Disagreement disagreement_of(const CellRuns& cell);
+
+// `cells` are the usable runs, whose films need not be there, and how far each lie apart:
+// [contender][budget].
+std::vector<std::string> cautions_of(const Comparison& comparison,
+                                     const std::vector<CellRuns>& cells,
+                                     const std::vector<Disagreement>& disagreements,
+                                     const Yardstick& yardstick);
 
 }  // namespace wander::compare

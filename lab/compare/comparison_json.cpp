@@ -3,8 +3,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/image_shape.h"
 #include "lab/compare/comparison_fields.h"
 #include "lab/compare/curves.h"
+#include "lab/compare/film_files.h"
 #include "records/run_json.h"
 
 namespace wander::compare {
@@ -104,6 +106,22 @@ ordered_json list_of(const std::vector<Record>& records) {
   return list;
 }
 
+ordered_json cells_of(const Comparison& comparison) {
+  ordered_json list = list_of(comparison.cells);
+  if (!is_image(comparison.runs.reference.film.shape)) return list;
+  for (ordered_json& cell : list)
+    if (cell["replicates"] > 0)
+      cell["file"] = film_file(comparison.runs, cell["contender"], cell["budget"]);
+  return list;
+}
+
+ordered_json json_of(const Reference& reference, int dimension) {
+  ordered_json json{{"origin", reference.origin}};
+  if (is_image(reference.film.shape)) json["file"] = reference_image;
+  json["film"] = wander::to_json(reference.film, dimension);
+  return json;
+}
+
 void write_runs(ordered_json& json, const Comparison& comparison) {
   const Runs& runs = comparison.runs;
   const int dimension = runs.provenance.dimension;
@@ -144,10 +162,8 @@ ordered_json to_json(const Comparison& comparison) {
                     {"decisive_budget", comparison.decisive},
                     {"ranking", comparison.ranking},
                     {"target", json_of(comparison.target)},
-                    {"reference",
-                     {{"origin", runs.reference.origin},
-                      {"film", wander::to_json(runs.reference.film, provenance.dimension)}}},
-                    {"cells", list_of(comparison.cells)},
+                    {"reference", json_of(runs.reference, provenance.dimension)},
+                    {"cells", cells_of(comparison)},
                     {"curves", curves_of(comparison)},
                     {"crossings", list_of(comparison.crossings)},
                     {"profiles", list_of(comparison.profiles)}};

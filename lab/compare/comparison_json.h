@@ -12,7 +12,8 @@
 //   details                                a run.json for the first replicate of each contender
 //
 // What is measured is {"value", "low", "high"}, the interval of 95 %; what is not known is null.
-// Films of scenes in space have a shape alone.
+// Films of scenes in space have a shape alone; "file" of the reference and of a cell names the image
+// that lies beside compare.json (film_files.h).
 #pragma once
 
 #include <filesystem>

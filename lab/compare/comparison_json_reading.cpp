@@ -8,6 +8,8 @@
 
 #include "lab/compare/comparison_fields.h"
 #include "lab/compare/comparison_json.h"
+#include "lab/compare/film_files.h"
+#include "records/exr.h"
 #include "records/run_json.h"
 
 namespace wander::compare {
@@ -196,7 +198,13 @@ std::optional<Comparison> find_comparison(const std::filesystem::path& path) {
   if (!document.is_object() || !document.contains("schema") ||
       document["schema"] != comparison_schema)
     return std::nullopt;
-  return comparison_from_json(document, path.string());
+  Comparison comparison = comparison_from_json(document, path.string());
+  // A comparison of images can be read without it, but for the error of its reference.
+  if (const auto image = path.parent_path() / reference_image;
+      comparison.runs.reference.film.value.empty() &&
+      std::filesystem::is_regular_file(image, unreachable))
+    comparison.runs.reference.film = read_exr(image).rendering.film;
+  return comparison;
 }
 
 }  // namespace wander::compare

@@ -3,15 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cereal/archives/binary.hpp>
 #include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <utility>
 
+#include "core/image_shape.h"
+#include "lab/compare/film_loan.h"
 #include "lab/failure.h"
 #include "records/atomic_file.h"
 #include "records/rendering_archive.h"
@@ -62,23 +62,12 @@ constexpr int share_of_keeping = 20;  // one part in so many of the time
 }
 
 template <class Value>
-std::string bytes_of(const Value& value) {
-  std::ostringstream bytes;
-  cereal::BinaryOutputArchive archive(bytes);
-  archive(value);
-  return std::move(bytes).str();
-}
-template <class Value>
-Value value_of(const fs::path& file, const std::string& body) {
-  std::istringstream bytes(body);
-  Value value;
+Value value_of(const fs::path& file, std::string body) {
   try {
-    cereal::BinaryInputArchive archive(bytes);
-    archive(value);
+    return from_archive<Value>(std::move(body));
   } catch (const std::exception& problem) {
     refuse(file, fmt::format("it cannot be read ({})", problem.what()));
   }
-  return value;
 }
 
 // Takes what comes before the next end of a line.
@@ -196,13 +185,32 @@ void KeptComparison::read_runs() {
     const std::size_t number = number_of(entry.path());
     if (number == 0) continue;
     files_ = std::max(files_, number);
-    const std::string body = body_of(entry.path().filename().string());
-    for (FinishedTurn& turn : value_of<std::vector<FinishedTurn>>(entry.path(), body)) {
+    for (FinishedTurn& turn : read_turns(number)) {
       if (!turn.run && !turn.failure) refuse(entry.path(), "a run of it is missing");
       const Place place = turn.run ? place_of(*turn.run) : place_of(*turn.failure);
+      if (turn.run && is_image(turn.run->film.shape)) {
+        films_[place] = number;
+        shelve(turn.run->film);
+      }
       turns_[place] = std::move(turn);
     }
   }
+}
+
+std::vector<FinishedTurn> KeptComparison::read_turns(std::size_t number) const {
+  const std::string name = name_of(number);
+  return value_of<std::vector<FinishedTurn>>(folder_ / name, body_of(name));
+}
+
+std::string KeptComparison::name_of(std::size_t number) {
+  return fmt::format("{}{:04}", runs_prefix, number);
+}
+
+FilmEstimate KeptComparison::film_of(const Run& run) const {
+  const std::size_t number = films_.at(place_of(run));
+  for (FinishedTurn& turn : read_turns(number))
+    if (turn.run && place_of(*turn.run) == place_of(run)) return std::move(turn.run->film);
+  refuse(folder_ / name_of(number), "a run of it is missing");
 }
 
 std::string KeptComparison::identity() const { return sha256(identity_of(request_).dump()); }
@@ -230,7 +238,7 @@ void KeptComparison::extend(std::size_t replicates, double target) {
 
 void KeptComparison::keep(KeptReference reference) {
   reference_ = std::move(reference);
-  if (!folder_.empty()) write(reference_part, bytes_of(*reference_));
+  if (!folder_.empty()) write(reference_part, archived(*reference_));
 }
 
 FinishedTurn KeptComparison::take(const Turn& turn) {
@@ -240,13 +248,18 @@ FinishedTurn KeptComparison::take(const Turn& turn) {
 void KeptComparison::keep(const FinishedTurn& finished) {
   if (folder_.empty()) return;
   waiting_.push_back(finished);
-  if (Clock::now() - written_ >= share_of_keeping * cost_) keep_all();
+  if (finished.run && is_image(finished.run->film.shape)) {
+    keep_all();
+    films_[place_of(*finished.run)] = files_;
+  } else if (Clock::now() - written_ >= share_of_keeping * cost_) {
+    keep_all();
+  }
 }
 
 void KeptComparison::keep_all() {
   if (waiting_.empty()) return;
   const Clock::time_point before = Clock::now();
-  write(fmt::format("{}{:04}", runs_prefix, ++files_), bytes_of(waiting_));
+  write(name_of(++files_), archived(waiting_));
   waiting_.clear();
   written_ = Clock::now();
   cost_ = written_ - before;

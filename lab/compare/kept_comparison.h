@@ -3,7 +3,8 @@
 //
 //   plan         what was asked for, with the text of the scene
 //   reference    what errors are measured against, once it is there
-//   runs-0001 …  runs that have come to their end, some in each file
+//   runs-0001 …  runs that have come to their end, some in each file; of images one in each, from
+//                which its film is read when it is wanted
 //
 // Each is written whole or not at all:
 //   "wanderlight-kept/1\n" HEADER "\n" BODY SEAL
@@ -68,7 +69,11 @@ class KeptComparison {
   // Of turns that had come to their end when it was carried on.
   std::size_t finished() const { return turns_.size(); }
   bool has(const Turn& turn) const { return turns_.contains(place_of(turn)); }
-  FinishedTurn take(const Turn& turn);  // one that it has
+  FinishedTurn take(const Turn& turn);  // one that it has; the film of an image stays in its file
+
+  // Is the film of this run, which was kept, in a file of its own?
+  bool has_film_of(const Run& run) const { return films_.contains(place_of(run)); }
+  FilmEstimate film_of(const Run& run) const;
 
   // Kept at once, unless that would take more than a small part of the time; then with one of the
   // next, or by keep_all().
@@ -87,6 +92,8 @@ class KeptComparison {
     return {of.contender, of.budget, of.replicate, of.seed};
   }
   void read_runs();
+  std::vector<FinishedTurn> read_turns(std::size_t number) const;
+  static std::string name_of(std::size_t number);
   std::string identity() const;
   std::string body_of(const std::string& part) const;
   void write(const std::string& part, const std::string& body) const;
@@ -97,6 +104,7 @@ class KeptComparison {
   std::optional<KeptReference> reference_{};
   std::map<Place, FinishedTurn> turns_{};  // that were kept before
   std::vector<FinishedTurn> waiting_{};    // to be kept
+  std::map<Place, std::size_t> films_{};   // of images, by the number of their file
   std::size_t files_ = 0;                  // of runs
   Clock::time_point written_{};            // when the last file of runs was
   Clock::duration cost_{};                 // of writing it

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "lab/compare/film_loan.h"
 #include "lab/compare/schedule.h"
 #include "lab/failure.h"
 #include "lab/parsing.h"
@@ -128,6 +129,7 @@ std::vector<Turn> turns_to_come(const Plan& plan, const KeptComparison& kept) {
 }
 
 void make_runs(const Plan& plan, Course& course, KeptComparison& kept, Runs& runs) {
+  runs.shelf = [&kept](const Run& run) { return kept.film_of(run); };
   for (const Turn& turn : turns_of(plan)) {
     if (kept.has(turn)) {
       add(kept.take(turn), runs);
@@ -139,6 +141,7 @@ void make_runs(const Plan& plan, Course& course, KeptComparison& kept, Runs& run
     runs.complete = finished.has_value();
     if (!runs.complete) break;
     kept.keep(*finished);
+    if (finished->run && kept.has_film_of(*finished->run)) shelve(finished->run->film);
     add(*std::move(finished), runs);
   }
   kept.keep_all();

@@ -42,7 +42,8 @@ std::uint64_t seed_samples_of(const Rendering& rendering);
 Runs prepared(const Plan& plan, Provenance provenance);
 
 // Turn after turn (schedule()), each kept when it has come to its end; what was kept before is taken
-// from there.  An interruption drops the run that it hits and ends the rest.
+// from there, and outlives the runs: it is the shelf of their films.  An interruption drops the run
+// that it hits and ends the rest.
 void make_runs(const Plan& plan, Course& course, KeptComparison& kept, Runs& runs);
 
 }  // namespace wander::compare

@@ -10,6 +10,8 @@
 
 #include "core/exact/diffuse_film.h"
 #include "core/film_statistics.h"
+#include "core/image_shape.h"
+#include "core/tint.h"
 #include "lab/failure.h"
 #include "lab/reference_name.h"
 #include "lab/wording.h"
@@ -48,17 +50,26 @@ void require_sound(const std::filesystem::path& file, const FilmEstimate& film) 
     refuse("a standard error of its film is below zero");
 }
 
+[[noreturn]] void refuse_shape(const std::filesystem::path& file, const FilmEstimate& film,
+                               const std::vector<int>& shape) {
+  const auto channels = [&](std::span<const int> extents) {
+    return is_image(shape) && channels_of(extents) == 1 ? " in one channel" : "";
+  };
+  const std::string message = fmt::format(
+      "--reference {}: its film has {}{}{}, that of the scene {}{}; give a film of the same shape",
+      file.string(), extent_in_words(film.shape), channels(film.shape),
+      film.value.empty() ? " without values" : "", extent_in_words(shape), channels(shape));
+  if (is_image(shape)) throw RunFileError(message);
+  throw UsageError(message);
+}
+
 }  // namespace
 
 Reference reference_from_file(const std::filesystem::path& file, const std::vector<int>& shape,
                               const Provenance& scene, std::vector<std::string>& warnings) {
   RunRecord run = read_run(file);
   const FilmEstimate& film = run.rendering.film;
-  if (film.value.empty() || film.shape != shape)
-    throw UsageError(fmt::format(
-        "--reference {}: its film has {}{}, that of the scene {}; give a film of the same shape",
-        file.string(), extent_in_words(film.shape), film.value.empty() ? " without values" : "",
-        extent_in_words(shape)));
+  if (film.value.empty() || film.shape != shape) refuse_shape(file, film, shape);
   require_sound(file, film);
   if (run.provenance.scene_sha256 != scene.scene_sha256)
     warnings.push_back(fmt::format(
@@ -74,6 +85,10 @@ Reference reference_from_file(const std::filesystem::path& file, const std::vect
 }
 
 std::optional<Reference> exact_reference(const description::Scene& scene, std::string& why) {
+  if (scene.dimension != 2) {
+    why = "there is none of scenes in space";
+    return std::nullopt;
+  }
   exact::DiffuseFilm exact;
   try {
     exact = exact::diffuse_film(scene);

@@ -16,7 +16,8 @@
 
 namespace wander::compare {
 
-// Throws UsageError where no film of this shape is in it, RunFileError where it cannot be read.
+// Throws RunFileError where it cannot be read or is an image of another shape, UsageError where it
+// is a row of bins of another length.
 Reference reference_from_file(const std::filesystem::path& file, const std::vector<int>& shape,
                               const Provenance& scene, std::vector<std::string>& warnings);
 

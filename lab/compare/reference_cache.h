@@ -1,7 +1,8 @@
 // Long runs that were made as references, kept for the next comparison of the same scene: files in
 // $XDG_CACHE_HOME/wanderlight, or else ~/.cache/wanderlight, which may be removed at any time.
 //
-// One file holds the independent runs of one method at one setting, by one version of the program,
+// Of images they are binary, for nobody reads so many numbers; else JSON.  One file holds the
+// independent runs of one method at one setting, by one version of the program,
 // on one scene with paths of one greatest length.
 #pragma once
 
@@ -33,7 +34,7 @@ class ReferenceCache {
   static std::filesystem::path folder();
 
  private:
-  std::filesystem::path file_of(const std::string& made_by) const;
+  std::filesystem::path file_of(const LongRuns& runs) const;
 
   Provenance provenance_;
   int max_vertices_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct Contender {
   std::string dial{}, setting{};  // "large_step", "0.1"; both empty at the base point
 };
 
-// One rendering.  The film is whole, because errors against the mean of the replicates need it.
+// One rendering.  The film is whole, because errors against the mean of the replicates need it; that
+// of an image may lie on the shelf of the comparison, and has a shape alone.
 struct Run {
   std::size_t contender = 0, budget = 0, replicate = 0;
   std::uint64_t seed = 1, samples = 0;
@@ -47,6 +49,9 @@ struct Reference {
   std::vector<std::string> doubts{};  // why it may not be what it seems; each a sentence
 };
 
+// Gives the films that runs do not hold (film_loan.h).
+using FilmShelf = std::function<FilmEstimate(const Run&)>;
+
 struct Runs {
   Provenance provenance;  // of the scene and of the command
   std::vector<Contender> contenders{};
@@ -62,6 +67,7 @@ struct Runs {
   std::vector<std::string> warnings{};
   bool complete = true;            // false: interrupted
   TimeKind time = TimeKind::wall;  // in which errors are told: that of the budgets
+  FilmShelf shelf{};
 };
 
 }  // namespace wander::compare

@@ -5,6 +5,7 @@
 #include "lab/compare/cautions.h"
 #include "lab/compare/crossings.h"
 #include "lab/compare/curves.h"
+#include "lab/compare/film_loan.h"
 #include "lab/compare/verdict.h"
 
 namespace wander::compare {
@@ -13,34 +14,76 @@ namespace {
 
 constexpr std::uint32_t streams_per_cell = 3;  // that measure_cell() takes
 
-std::vector<CellRuns> runs_of_cells(const Comparison& comparison) {
-  const Runs& runs = comparison.runs;
-  std::vector<CellRuns> cells(runs.contenders.size() * runs.budgets.size());
+// [contender][budget]
+struct MeasuredCells {
+  Measurements all;
+  std::vector<CellRuns> runs{};
+  std::vector<Disagreement> disagreements{};
+};
+
+// Indices of runs, [contender][budget].
+std::vector<std::vector<std::size_t>> places_of(const Runs& runs) {
+  std::vector<std::vector<std::size_t>> places(runs.contenders.size() * runs.budgets.size());
   for (std::size_t i = 0; i < runs.runs.size(); ++i) {
     const Run& run = runs.runs[i];
     if (run.contender >= runs.contenders.size() || run.budget >= runs.budgets.size())
       throw std::invalid_argument("a run is of a contender or a budget that does not exist");
-    if (std::isnan(comparison.errors[i].mean)) continue;  // its film is not finite
-    CellRuns& cell = cells[run.contender * runs.budgets.size() + run.budget];
-    cell.time = runs.time;
-    cell.runs.push_back(&run);
-    cell.errors.push_back(&comparison.errors[i]);
+    places[run.contender * runs.budgets.size() + run.budget].push_back(i);
   }
-  return cells;
+  return places;
 }
 
-Measurements measurements_of(const Comparison& comparison, const std::vector<CellRuns>& cells,
-                             const Yardstick& yardstick) {
-  Measurements all{comparison.runs.contenders.size(), comparison.runs.budgets.size(), {}};
-  const Draws reference = draws_of_reference(yardstick.degrees);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const auto stream = streams_per_cell * static_cast<std::uint32_t>(i + 1);
-    all.cells.push_back(measure_cell(cells[i], yardstick, reference, stream));
-    all.cells.back().cell.contender = i / all.budgets;
-    all.cells.back().cell.budget = i % all.budgets;
+// Cells one after the other, each while its films are there.
+class CellByCell {
+ public:
+  CellByCell(Comparison& comparison, const Yardstick& yardstick)
+      : comparison_(comparison),
+        yardstick_(yardstick),
+        reference_(draws_of_reference(yardstick.degrees)) {
+    comparison_.errors.resize(comparison_.runs.runs.size());
   }
-  return all;
-}
+
+  MeasuredCells measure() {
+    MeasuredCells result;
+    result.all = {comparison_.runs.contenders.size(), comparison_.runs.budgets.size(), {}};
+    for (const std::vector<std::size_t>& places : places_of(comparison_.runs)) {
+      const FilmLoan loan(comparison_.runs.shelf, runs_at(places));
+      result.runs.push_back(usable(places));
+      result.disagreements.push_back(disagreement_of(result.runs.back()));
+      const std::size_t i = result.all.cells.size();
+      const auto stream = streams_per_cell * static_cast<std::uint32_t>(i + 1);
+      result.all.cells.push_back(
+          measure_cell(result.runs.back(), yardstick_, reference_, stream));
+      result.all.cells.back().cell.contender = i / result.all.budgets;
+      result.all.cells.back().cell.budget = i % result.all.budgets;
+    }
+    return result;
+  }
+
+ private:
+  std::vector<Run*> runs_at(const std::vector<std::size_t>& places) {
+    std::vector<Run*> runs;
+    for (const std::size_t i : places) runs.push_back(&comparison_.runs.runs[i]);
+    return runs;
+  }
+  // Those whose films are finite.
+  CellRuns usable(const std::vector<std::size_t>& places) {
+    CellRuns cell;
+    cell.time = comparison_.runs.time;
+    for (const std::size_t i : places) {
+      const Run& run = comparison_.runs.runs[i];
+      comparison_.errors[i] = errors_of(run.film, yardstick_);
+      if (std::isnan(comparison_.errors[i].mean)) continue;
+      cell.runs.push_back(&run);
+      cell.errors.push_back(&comparison_.errors[i]);
+    }
+    return cell;
+  }
+
+  Comparison& comparison_;
+  const Yardstick& yardstick_;
+  Draws reference_;
+};
 
 // The last budget at which every contender was measured; the last of all if there is none.
 std::size_t decisive_budget(const Measurements& all) {
@@ -81,9 +124,8 @@ Comparison summarize(Runs runs) {
   Comparison result;
   result.runs = std::move(runs);
   const Yardstick yardstick(result.runs.reference);
-  for (const Run& run : result.runs.runs) result.errors.push_back(errors_of(run.film, yardstick));
-  const std::vector<CellRuns> cells = runs_of_cells(result);
-  const Measurements all = measurements_of(result, cells, yardstick);
+  const MeasuredCells cells = CellByCell(result, yardstick).measure();
+  const Measurements& all = cells.all;
   for (const MeasuredCell& cell : all.cells) result.cells.push_back(cell.cell);
   if (all.cells.empty()) return result;
   result.decisive = decisive_budget(all);
@@ -92,7 +134,7 @@ Comparison summarize(Runs runs) {
   measure_contenders(result, all);
   result.ranking = ranking_at(all, result.decisive);
   result.crossings = measure_crossings(all, result.ranking, result.decisive);
-  result.cautions = cautions_of(result, cells, yardstick);
+  result.cautions = cautions_of(result, cells.runs, cells.disagreements, yardstick);
   result.verdict = verdict_of(result);
   return result;
 }

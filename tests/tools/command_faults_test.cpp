@@ -61,16 +61,6 @@ TEST_F(CommandFaults, OfAllContendersAreToldOnce) {
   EXPECT_EQ(outcome.err.find(refusal, first + 1), std::string::npos) << outcome.err;
 }
 
-TEST_F(CommandFaults, AComparisonInSpaceIsRefusedBeforeItBegins) {
-  write("space.json", R"({"format": "wanderlight-scene/1", "dimension": 3, "shapes": [
-    {"type": "sphere", "center": [0, 3, 0], "radius": 0.5, "light": {"radiance": 5}},
-    {"type": "triangle", "points": [[0, 0, 0], [1, 0, 0], [0, 0, -1]],
-     "sensor": {"resolution": [8, 4]}}]})");
-  const Outcome outcome = wander("compare space.json -m pt,bdpt -b 1k -o out");
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_HAS(outcome.err, "compare is for scenes in the plane");
-}
-
 TEST_F(CommandFaults, AnOptionThatIsGivenTwiceIsNamedWithWhatItTakes) {
   EXPECT_HAS(wander("render box.json -m pt -b 1k -b 2k -o out").err,
              "--budget is given 2 times; it takes one BUDGET;");
