@@ -1,6 +1,7 @@
 #include "tests/support/extended_world.h"
 
 // The definitions that the program makes for its own worlds.
+#include "core/conductor.cpp"
 #include "core/geometry/bvh.cpp"
 #include "core/geometry/shapes_flat.cpp"
 #include "core/material.cpp"
@@ -9,6 +10,7 @@
 
 namespace wander {
 
+template class ComplexIndex<test::FlatlandExtended>;
 template class Segment<test::FlatlandExtended>;
 template class Arc<test::FlatlandExtended>;
 template class Bvh<test::FlatlandExtended>;
