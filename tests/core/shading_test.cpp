@@ -65,6 +65,19 @@ TEST(SmoothMeshes, AreShadedOnTheSideOfTheirTriangles) {
   EXPECT_EQ(partial.shading_normal({1, 1, 0}, 0), Point(0, 0, 1));  // the two cancel
 }
 
+// To the last bit.
+TEST(SmoothMeshes, AreShadedAlikeAtEveryPowerOfTwo) {
+  Triangles mesh = one_triangle();
+  mesh.normals = {{0.1, 0.2, 1}, {0.6, 0, 0.8}, {0, 0.8, 0.6}};
+  Triangles large = mesh;
+  for (auto& p : large.points)
+    for (double& x : p) x = std::ldexp(x, 60);
+  const Mesh<W> small_mesh = passive(mesh), large_mesh = passive(large);
+  for (const Point p : {Point(0.1, 0.3, 0), Point(1.1, 0.7, 0), Point(0.3, 1.6, 0)})
+    EXPECT_EQ(small_mesh.shading_normal(p, 0),
+              large_mesh.shading_normal(p * std::ldexp(1.0, 60), 0));
+}
+
 // ---- values and densities
 
 // A triangle whose normals are all this one, of a material, with rays from and to given points.
