@@ -65,6 +65,19 @@ TEST(SmoothMeshes, AreShadedOnTheSideOfTheirTriangles) {
   EXPECT_EQ(partial.shading_normal({1, 1, 0}, 0), Point(0, 0, 1));  // the two cancel
 }
 
+// To the last bit.
+TEST(SmoothMeshes, AreShadedAlikeAtEveryPowerOfTwo) {
+  Triangles mesh = one_triangle();
+  mesh.normals = {{0.1, 0.2, 1}, {0.6, 0, 0.8}, {0, 0.8, 0.6}};
+  Triangles large = mesh;
+  for (auto& p : large.points)
+    for (double& x : p) x = std::ldexp(x, 60);
+  const Mesh<W> small_mesh = passive(mesh), large_mesh = passive(large);
+  for (const Point p : {Point(0.1, 0.3, 0), Point(1.1, 0.7, 0), Point(0.3, 1.6, 0)})
+    EXPECT_EQ(small_mesh.shading_normal(p, 0),
+              large_mesh.shading_normal(p * std::ldexp(1.0, 60), 0));
+}
+
 // ---- values and densities
 
 // A triangle whose normals are all this one, of a material, with rays from and to given points.
@@ -139,18 +152,31 @@ TEST(Shading, CarriesNoLightWhereTheTwoNormalsDisagree) {
 
 // ---- films
 
-struct BallInARoom {
+// A sheet above the floor whose normals lean to one side.
+Triangles leaning_sheet() {
+  Triangles mesh;
+  mesh.points = {{0.05, 0.1, 0.6}, {0.95, 0.1, 0.62}, {0.95, 0.9, 0.65}, {0.05, 0.9, 0.63}};
+  mesh.corners = {{0, 1, 2}, {0, 2, 3}};
+  for (const Point lean :
+       {Point(0.7, 0, 1), Point(0.8, 0.2, 1), Point(0.5, 0.1, 1), Point(1, 0, 1)})
+    mesh.normals.push_back(numbers(glm::normalize(lean)));
+  return mesh;
+}
+
+enum class Shading { flat, smooth };
+
+struct SmoothRoom {
   std::vector<Material<W>> materials{Diffuse<W>{0.6}, Black<W>{}};
   SceneParts<W> parts;
 
-  // Of few triangles: normals are far from their own.
-  explicit BallInARoom(Material<W> of_ball) {
+  // The ball has few triangles: its normals are far from their own.
+  explicit SmoothRoom(Material<W> smooth, Shading shading = Shading::smooth) {
     Generator g(1);
-    Triangles ball = ball_mesh(g, 5, 0, Point(0.5, 0.5, 0.35), 0.3);
+    const Point middle(0.5, 0.5, 0.3);
+    Triangles ball = ball_mesh(g, 5, 0, middle, 0.25);
     for (const auto& p : ball.points)
-      ball.normals.push_back(
-          numbers(glm::normalize(Point(p[0], p[1], p[2]) - Point(0.5, 0.5, 0.35))));
-    materials.push_back(std::move(of_ball));
+      ball.normals.push_back(numbers(glm::normalize(Point(p[0], p[1], p[2]) - middle)));
+    materials.push_back(std::move(smooth));
     const Point o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
     const auto add = [&](Shape<W> shape, std::size_t material, double radiance, bool is_sensor) {
       parts.parts.push_back({std::move(shape), material, radiance, is_sensor});
@@ -160,7 +186,10 @@ struct BallInARoom {
     add(Sheet(o, y, z), 0, 0, false);
     add(Sheet(x, z, y), 0, 0, false);
     add(Sheet({0.2, 0.3, 0.95}, {0, 0.5, 0.02}, {0.6, 0, 0}), 1, 3, false);
-    add(passive(std::move(ball)), 2, 0, false);
+    for (Triangles mesh : {ball, leaning_sheet()}) {
+      if (shading == Shading::flat) mesh.normals.clear();
+      add(passive(std::move(mesh)), 2, 0, false);
+    }
     parts.materials = materials;
     parts.resolution = {2, 2};
     parts.max_vertices = 5;
@@ -186,17 +215,15 @@ TEST(Shading, GivesAllEstimatorsTheSameFilm) {
        {Material<W>(Diffuse<W>{0.8}), Material<W>(Mirror<W>{0.9}),
         Material<W>(Dielectric<W>{1.5, 1}), Material<W>(RoughConductor<W>{0.4, 0.9}),
         Material<W>(RoughDielectric<W>{0.5, 1.5, 1})}) {
-    const Scene<W> scene(BallInARoom(material).parts);
-    const auto reference = sample_film(scene, find_estimator("bdpt"), 60'000, 1);
+    const Scene<W> scene(SmoothRoom(material).parts);
+    const auto reference = sample_film(scene, find_estimator("bdpt"), 120'000, 1);
     for (const auto method : {"pt", "lt", "pt-naive", "lt-naive"})
       EXPECT_TRUE(passes(agree(sample_film(scene, find_estimator(method), 60'000, 2), reference)))
           << method << ", material " << material.index();
-    const Unstretched wrong(scene, Roulette::by_albedo);
-    const auto film = [&](const char* method) {
-      const Estimator& e = find_estimator(method);
-      return sample_film_in(wrong, e.techniques, e.heuristic, 60'000, 3);
-    };
-    EXPECT_TRUE(rejects(agree(film("pt"), film("lt")))) << "material " << material.index();
+    // The same room shaded flat is another one.
+    const Scene<W> flat(SmoothRoom(material, Shading::flat).parts);
+    EXPECT_TRUE(rejects(agree(sample_film(flat, find_estimator("bdpt"), 120'000, 3), reference)))
+        << "material " << material.index();
   }
 }
 
@@ -215,24 +242,32 @@ TEST(Shading, ReflectsTheRadianceOfAFurnaceAboutItsNormal) {
     SceneParts<W> parts;
     parts.materials = {material, Black<W>{}};
     parts.parts.push_back({passive(mesh), 0, 0, false});
-    parts.parts.push_back({Ball({0, 0, 0}, 5, Ball::Facing::inward), 1, 1, false});
-    parts.camera = Camera<W>{.position = {0.5, 0.5, 2},
+    parts.parts.push_back({Ball({0.5, 0.5, 0}, 2.2, Ball::Facing::inward), 1, 1, false});
+    const bool is_specular = material.index() != 0;
+    const double width = is_specular ? 1e-4 : 0.9;  // glass is as Fresnel says of one angle
+    parts.camera = Camera<W>{.position = {0.5, 0.5, 1},
                              .axis = {0, 0, -1},
                              .across = {Point(1, 0, 0), Point(0, -1, 0)},
-                             .extent = {1e-4, 1e-4}};
+                             .extent = {width, width}};
     parts.resolution = {1, 1};
     parts.max_vertices = 3;
     const Scene<W> scene(parts);
-    const bool is_specular = scene.has_specular();
     for (const auto method : {"pt", "pt-naive", "bdpt", "lt"}) {
-      if (is_specular && method == std::string_view("lt")) continue;  // a camera sees no mirror so
-      const auto film = sample_film(scene, find_estimator(method), 100'000, 1);
+      const bool from_light = method == std::string_view("lt");
+      if (is_specular && from_light) continue;  // a camera sees no mirror so
+      const auto film =
+          sample_film(scene, find_estimator(method), from_light ? 1'000'000 : 100'000, 1);
       const double z = (film.total[0].value - exact) / std::max(film.total[0].error, 1e-5);
       EXPECT_LT(std::abs(z), 6.2) << method << ", material " << material.index();
       // With light and sensor exchanged it would be this much more or less.
       const double wrong = (film.total[0].value - exact * cosine) / film.total[0].error;
       EXPECT_GT(std::abs(wrong), 6.2) << method << ", material " << material.index();
     }
+    // Densities about S are not those of areas.
+    const Estimator& naive = find_estimator("pt-naive");
+    const auto film = sample_film_in(Unstretched(scene, Roulette::off), naive.techniques,
+                                     naive.heuristic, 100'000, 2);
+    EXPECT_GT(std::abs(film.total[0].value - exact), 6.2 * film.total[0].error);
   }
 }
 
@@ -243,7 +278,7 @@ TEST(Shading, SamplesWhatItHasADensityOf) {
   for (const Material<W>& material :
        {Material<W>(Diffuse<W>{0.8}), Material<W>(Mirror<W>{0.9}),
         Material<W>(Dielectric<W>{1.5, 1}), Material<W>(RoughDielectric<W>{0.5, 1.5, 1})}) {
-    const Scene<W> scene(BallInARoom(material).parts);
+    const Scene<W> scene(SmoothRoom(material).parts);
     const Transport<W> space(scene, Roulette::off);
     Path<W> x(3), again(3);
     x.resize(3);
@@ -252,7 +287,7 @@ TEST(Shading, SamplesWhatItHasADensityOf) {
     for (std::uint64_t i = 0; i < 20'000; ++i) {
       rng.start(i);
       space.begin_light(x, 0, rng);
-      if (!space.extend(x, 0, Toward::sensor, rng) || x[1].place.shape != 5) continue;
+      if (!space.extend(x, 0, Toward::sensor, rng) || x[1].place.shape < 5) continue;
       if (!space.extend(x, 1, Toward::sensor, rng)) {
         ++ended;
         continue;

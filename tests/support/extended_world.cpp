@@ -1,7 +1,11 @@
 #include "tests/support/extended_world.h"
 
 // The definitions that the program makes for its own worlds.
+<<<<<<< HEAD
 #include "core/geometry/box_tree.cpp"
+=======
+#include "core/conductor.cpp"
+>>>>>>> i10-materials
 #include "core/geometry/bvh.cpp"
 #include "core/geometry/shapes_flat.cpp"
 #include "core/material.cpp"
@@ -10,6 +14,7 @@
 
 namespace wander {
 
+template class ComplexIndex<test::FlatlandExtended>;
 template class Segment<test::FlatlandExtended>;
 template class Arc<test::FlatlandExtended>;
 template BoxTree<test::FlatlandExtended> box_tree(std::span<const Shape<test::FlatlandExtended>>,

@@ -106,7 +106,7 @@ TEST_F(SceneFolder, TellsOfMeshesThatHaveNoNormals) {
   EXPECT_EQ(fault(R"("file": "a.obj", "normals": "smooth")", "normals"),
             "a.obj has no normals; give its corners normals, or say \"flat\"");
   EXPECT_EQ(fault(R"("file": "a.obj", "normals": "round")", "normals"),
-            "\"round\" is not known; allowed are flat, smooth");
+            "\"round\" is not known; the nearest is \"flat\"; allowed are flat, smooth");
 }
 
 // A file may be shaded in one place and not in another.
