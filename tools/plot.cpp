@@ -53,8 +53,7 @@ std::string scene_svg(const PlotOptions& options) {
   const figure::SceneFigureOptions how{
       .title = options.title.value_or(scene.name),
       .width = options.width.value_or(figure::style::column_width)};
-  return scene.dimension == 2 ? figure::scene_figure(scene, how)
-                              : figure::space_figure(scene, how);
+  return scene.dimension == 2 ? figure::scene_figure(scene, how) : figure::space_figure(scene, how);
 }
 
 // Its films are drawn by report.html, beside which it lies.
@@ -94,9 +93,10 @@ Figure figure_of(const PlotOptions& options, const Global& global) {
     if (const auto record = find_trajectory(file))
       return figure_of_trajectory(*record, options, global);
   if (is_of_lines(global.out))
-    throw UsageError(fmt::format("{}: the lines of a trajectory in space, and {} is none; a figure "
-                                 "is SVG, PNG or PDF, and its name ends in .svg, .png or .pdf",
-                                 global.out.string(), file));
+    throw UsageError(
+        fmt::format("{}: the lines of a trajectory in space, and {} is none; a figure "
+                    "is SVG, PNG or PDF, and its name ends in .svg, .png or .pdf",
+                    global.out.string(), file));
   if (!options.trajectory.is_empty())
     throw UsageError(file +
                      " is no trajectory, which --figure, --draws, --chain, --mutation and --class "

@@ -103,8 +103,8 @@ std::string backdrop(const description::Scene& scene, const PlotOptions& options
   const std::string& file = options.files.back();
   const std::optional<Film> film = find_film(file);
   if (!film || !film->is_image())
-    throw UsageError(fmt::format("{} is no image, over which {} could be drawn", file,
-                                 options.files.front()));
+    throw UsageError(
+        fmt::format("{} is no image, over which {} could be drawn", file, options.files.front()));
   const FilmEstimate& image = film->run.rendering.film;
   if (!scene.camera)
     throw UsageError(fmt::format("{} is of a scene without a camera: it is drawn over no image",

@@ -161,10 +161,10 @@ Range log_value_range(std::span<const std::vector<Bar>> films, std::span<const B
 
 FilmAxes film_axes(const description::Scene& scene) {
   if (scene.dimension == 3)
-    return {{"position on the film", ""},
-            scene.camera ? Quantity{"mean radiance", "W/(m²·sr)"}
-                         : Quantity{"mean irradiance", "W/m²"},
-            {0, 1}};
+    return {
+        {"position on the sensor", ""},
+        scene.camera ? Quantity{"mean radiance", "W/(m²·sr)"} : Quantity{"mean irradiance", "W/m²"},
+        {0, 1}};
   if (scene.camera) return {{"position on the sensor", ""}, {"mean radiance", "W/(m·rad)"}, {0, 1}};
   double size = 0;
   for (const description::Shape& shape : scene.shapes) {

@@ -94,9 +94,9 @@ std::string agreement(const Row& row, const PixelMap& map) {
 }
 
 ImagePanel row_difference(const Row& row, const PixelMap& map, double most) {
-  return difference_panel({fmt::format("{} − {}", row.image->label, row.other->label),
-                           agreement(row, map)},
-                          thinned(map), most);
+  return difference_panel(
+      {fmt::format("{} − {}", row.image->label, row.other->label), agreement(row, map)},
+      thinned(map), most);
 }
 
 // All maps of a figure, which have their scales in common.

@@ -99,8 +99,8 @@ std::string path_lines(const Steps& steps) {
   lines.begin("failed");
   steps.each([&](const Step& step) {
     if (t.proposed.vertices[step.index] == 0 && attempt_room > 0)
-      lines.add(words_of(steps, step), std::span(t.attempts.position)
-                                           .subspan(step.index * attempt_room, attempt_room));
+      lines.add(words_of(steps, step),
+                std::span(t.attempts.position).subspan(step.index * attempt_room, attempt_room));
   });
   return lines.take();
 }

@@ -126,8 +126,8 @@ void draw_cell(Svg& svg, const Cell& cell, const Grid& grid, const Stage& stage,
 }
 
 // The scene is drawn once and used again in every frame.
-void draw_cells(Svg& svg, const std::vector<Cell>& cells, const Grid& grid,
-                const Stage& stage, Vector top_left) {
+void draw_cells(Svg& svg, const std::vector<Cell>& cells, const Grid& grid, const Stage& stage,
+                Vector top_left) {
   const PageMap map = grid.map(stage.extent);
   {
     const auto definitions = svg.open("defs", {});

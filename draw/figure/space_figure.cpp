@@ -40,11 +40,11 @@ std::vector<LegendEntry> legend_of(const std::vector<WireLine>& lines, const Vie
   std::vector<LegendEntry> entries;
   for (const WireKind kind :
        {WireKind::light, WireKind::sensor, WireKind::surface, WireKind::glass})
-    if (std::ranges::any_of(lines, [&](const WireLine& line) {
-          return line.kind == kind && is_seen(line, view);
-        }))
+    if (std::ranges::any_of(
+            lines, [&](const WireLine& line) { return line.kind == kind && is_seen(line, view); }))
       entries.push_back({[kind](Svg& svg, Vector left) {
-                           draw_wire(svg, kind, "M" + coordinates(left) + "h" + number(swatch_width));
+                           draw_wire(svg, kind,
+                                     "M" + coordinates(left) + "h" + number(swatch_width));
                          },
                          words_of(kind)});
   return entries;

@@ -16,8 +16,7 @@ class TrajectoryPage {
  public:
   // Trajectory and scene outlive this; what the filter names exists.
   TrajectoryPage(const Trajectory& trajectory, const description::Scene& scene,
-                 const StepFilter& filter, std::string title,
-                 double page_width = style::page_width)
+                 const StepFilter& filter, std::string title, double page_width = style::page_width)
       : TrajectoryPage(trajectory, plane_stage(scene), filter, std::move(title), page_width) {}
   TrajectoryPage(const Trajectory& trajectory, Stage stage, const StepFilter& filter,
                  std::string title, double page_width = style::page_width);

@@ -76,9 +76,8 @@ std::vector<Crop> choose_crops(std::span<const FilmEstimate* const> films,
   std::ranges::stable_sort(all, std::ranges::greater{}, &Scored::score);
   std::vector<Crop> chosen;
   for (const Scored& each : all)
-    if (chosen.size() < most && std::ranges::none_of(chosen, [&](const Crop& other) {
-          return overlap(each.crop, other);
-        }))
+    if (chosen.size() < most &&
+        std::ranges::none_of(chosen, [&](const Crop& other) { return overlap(each.crop, other); }))
       chosen.push_back(each.crop);
   return chosen;
 }
@@ -88,9 +87,8 @@ FilmEstimate cropped(const FilmEstimate& image, const Crop& crop) {
   FilmEstimate part{.shape = image.shape};
   part.shape[0] = part.shape[1] = static_cast<int>(crop.side);
   for (std::size_t y = crop.y; y < crop.y + crop.side; ++y) {
-    const auto row =
-        image.value.begin() +
-        static_cast<std::ptrdiff_t>((y * shape.width + crop.x) * shape.channels);
+    const auto row = image.value.begin() +
+                     static_cast<std::ptrdiff_t>((y * shape.width + crop.x) * shape.channels);
     part.value.insert(part.value.end(), row,
                       row + static_cast<std::ptrdiff_t>(crop.side * shape.channels));
   }

@@ -48,9 +48,11 @@ std::string embedded(std::string_view svg_document, const std::string& prefix) {
 }
 
 void write_figure(Html& html, std::string_view svg_document, std::string_view caption,
-                  Ground ground) {
+                  Ground ground, Breadth breadth) {
   const int number = html.next_number();
-  const auto scope = html.open("figure", {{"class", ground == Ground::page ? "chart" : "picture"}});
+  const std::string kind = ground == Ground::page ? "chart" : "picture";
+  const auto scope =
+      html.open("figure", {{"class", breadth == Breadth::page ? kind : kind + " column"}});
   {
     // Keys scroll a figure that is wider than the screen.
     const std::string id = fmt::format("figure-{}", number);

@@ -15,9 +15,11 @@ std::string embedded(std::string_view svg_document, const std::string& prefix);
 // All colours of charts follow the page, dark or light.  Pictures keep their tones and what is
 // drawn on these; axes, legends and ground follow the page.
 enum class Ground { page, paper };
+// As wide as the page, or a column of it.
+enum class Breadth { page, column };
 
 // The caption says what is shown and how to read it.
 void write_figure(Html& html, std::string_view svg_document, std::string_view caption,
-                  Ground ground = Ground::page);
+                  Ground ground = Ground::page, Breadth breadth = Breadth::page);
 
 }  // namespace wander::report

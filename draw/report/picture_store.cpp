@@ -51,11 +51,10 @@ std::size_t PictureStore::add(Html& html, const FilmEstimate& film) {
 
 void PictureStore::show(Html& html, std::size_t number, const std::string& words,
                         const std::string& over) const {
-  html.markup(
-      fmt::format("<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">"
-                  "<use href=\"#picture-{}\"/>{}</svg>\n",
-                  figure::number(width_), figure::number(height_), figure::escaped(words), number,
-                  over));
+  html.markup(fmt::format(
+      "<svg viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"{}\">"
+      "<use href=\"#picture-{}\"/>{}</svg>\n",
+      figure::number(width_), figure::number(height_), figure::escaped(words), number, over));
 }
 
 void write_enlarged(Html& html, const FilmEstimate& film, double white, const std::string& words) {

@@ -18,9 +18,7 @@ namespace {
 
 using Energies = std::vector<std::map<int, compare::Measured>>;  // by contender
 
-std::string unit_of(const Subject& subject) {
-  return figure::film_axes(subject.scene).value.unit;
-}
+std::string unit_of(const Subject& subject) { return figure::film_axes(subject.scene).value.unit; }
 
 std::set<int> lengths_of(const Energies& energies) {
   std::set<int> lengths;
@@ -127,8 +125,7 @@ void write_lengths(Html& html, const Subject& subject, const Energies& energies)
 void write_energy(Html& html, const Subject& subject) {
   Energies energies;
   for (std::size_t k = 0; k < subject.contenders(); ++k)
-    energies.push_back(
-        energy_by_length(WholeReplicates(subject, k, subject.last_budget()).runs()));
+    energies.push_back(energy_by_length(WholeReplicates(subject, k, subject.last_budget()).runs()));
   if (lengths_of(energies).empty()) {
     html.element("p", "The films hold no light of any length, or were not kept by length.",
                  {{"class", "note"}});

@@ -24,9 +24,7 @@ namespace {
 constexpr double alarm = 4;
 constexpr std::size_t groups_per_figure = 4;
 
-std::string unit_of(const Subject& subject) {
-  return figure::film_axes(subject.scene).value.unit;
-}
+std::string unit_of(const Subject& subject) { return figure::film_axes(subject.scene).value.unit; }
 
 std::vector<std::size_t> normalized_contenders(const Subject& subject) {
   std::vector<std::size_t> found;

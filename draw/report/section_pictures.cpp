@@ -31,9 +31,7 @@ struct Pictures {
   const std::string& label(const ContenderImage& image) const {
     return subject.label(image.contender);
   }
-  const std::string& budget() const {
-    return subject.runs().budgets[subject.comparison.decisive];
-  }
+  const std::string& budget() const { return subject.runs().budgets[subject.comparison.decisive]; }
 };
 
 Pictures pictures_of(const Subject& subject) {
@@ -51,7 +49,8 @@ std::string frames_of(const std::vector<Crop>& crops, double width) {
   const double line = width / 160, size = width / 18;
   for (std::size_t k = 0; k < crops.size(); ++k) {
     const Crop& c = crops[k];
-    for (const auto& [colour, stroke] : {std::pair("#000000", 2 * line), std::pair("#ffffff", line)})
+    for (const auto& [colour, stroke] :
+         {std::pair("#000000", 2 * line), std::pair("#ffffff", line)})
       frames += fmt::format(
           R"(<rect x="{}" y="{}" width="{}" height="{}" fill="none" stroke="{}" stroke-width="{}"/>)",
           c.x, c.y, c.side, c.side, colour, figure::number(stroke));
@@ -79,8 +78,7 @@ void write_picture(Html& html, const std::string& label, const std::string& word
   const auto figure = html.open("figure");
   show();
   const auto caption = html.open("figcaption");
-  html.markup(
-      fmt::format("<strong>{}</strong>{}", figure::escaped(label), figure::escaped(words)));
+  html.markup(fmt::format("<strong>{}</strong>{}", figure::escaped(label), figure::escaped(words)));
 }
 
 void write_side_by_side(Html& html, const Pictures& pictures, PictureStore& store,
@@ -90,7 +88,8 @@ void write_side_by_side(Html& html, const Pictures& pictures, PictureStore& stor
   for (std::size_t k = 0; k < pictures.images.size(); ++k) {
     const ContenderImage& image = pictures.images[k];
     write_picture(html, pictures.label(image), words_of(pictures, image, yardstick), [&] {
-      store.show(html, k, fmt::format("film of {} at {}", pictures.label(image), pictures.budget()));
+      store.show(html, k,
+                 fmt::format("film of {} at {}", pictures.label(image), pictures.budget()));
     });
   }
   write_picture(html, "reference", crops.empty() ? "" : "; the frames are the parts below", [&] {
@@ -107,9 +106,9 @@ void write_split(Html& html, const Pictures& pictures, const PictureStore& store
   const auto scope = html.open("fieldset", {{"class", "split"}});
   html.element("legend", fmt::format("{} and the reference", label));
   const auto button = [&](const char* kind, const std::string& text, const char* checked) {
-    html.markup(fmt::format(
-        R"(<input type="radio" name="split-{0}" id="split-{0}-{1}" class="{1}"{2}/>)", k, kind,
-        checked));
+    html.markup(
+        fmt::format(R"(<input type="radio" name="split-{0}" id="split-{0}-{1}" class="{1}"{2}/>)",
+                    k, kind, checked));
     html.element("label", text, {{"for", fmt::format("split-{}-{}", k, kind)}});
   };
   button("left", label, "");
@@ -149,8 +148,7 @@ void write_crops(Html& html, const Pictures& pictures, const std::vector<Crop>& 
                        fmt::format("part {} of the film of {}", n + 1, label));
       });
     };
-    for (const ContenderImage& image : pictures.images)
-      show(image.run.film, pictures.label(image));
+    for (const ContenderImage& image : pictures.images) show(image.run.film, pictures.label(image));
     show(pictures.reference(), "reference");
   }
 }
@@ -171,10 +169,10 @@ void write_maps(Html& html, const Pictures& pictures) {
     const std::string replicates = counted(image.replicates, "replicate");
     const std::size_t n = figure::pixels_per_pixel(image.z.width, image.z.height);
     figure::Block row = figure::panel_row(
-        figure::log_panel(
-            {fmt::format("{}: relative error", pictures.label(image)),
-             fmt::format("root mean square over {}", replicates)},
-            figure::thinned(image.error, n), scale, {"relative error of a pixel", ""}),
+        figure::log_panel({fmt::format("{}: relative error", pictures.label(image)),
+                           fmt::format("root mean square over {}", replicates)},
+                          figure::thinned(image.error, n), scale,
+                          {"relative error of a pixel", ""}),
         figure::difference_panel({fmt::format("{} − reference", pictures.label(image)),
                                   fmt::format("mean of {}", replicates)},
                                  figure::thinned(image.z, n), most),
@@ -201,11 +199,12 @@ void write_pictures(Html& html, const Subject& subject) {
   if (pictures.images.empty()) return;
   const figure::Quantity value = figure::film_axes(subject.scene).value;
   html.element(
-      "p", fmt::format("The first replicate of each contender at budget {}, the largest that all "
-                       "have, beside the reference. All have one exposure: white is a luminance "
-                       "of {} {}, which 99 % of the lit pixels of the reference do not exceed. RMSE "
-                       "and MAE are in {}; all errors are means over channels.",
-                       pictures.budget(), rounded(pictures.white), value.unit, value.unit));
+      "p",
+      fmt::format("The first replicate of each contender at budget {}, the largest that all "
+                  "have, beside the reference. All have one exposure: white is a luminance "
+                  "of {} {}, which 99 % of the lit pixels of the reference do not exceed. RMSE "
+                  "and MAE are in {}; all errors are means over channels.",
+                  pictures.budget(), rounded(pictures.white), value.unit, value.unit));
   std::vector<const FilmEstimate*> films;
   for (const ContenderImage& image : pictures.images) films.push_back(&image.run.film);
   const std::vector<Crop> crops =

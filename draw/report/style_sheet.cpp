@@ -41,6 +41,7 @@ figure { margin: 1.5rem 0; }
 .view { overflow-x: auto; }
 figure svg { display: block; width: 100%; min-width: var(--own-width); height: auto; }
 .picture svg { max-width: max(36rem, var(--own-width)); }
+.column svg { max-width: max(26rem, var(--own-width)); }
 figcaption, .caption { color: var(--soft); font-size: 0.9rem; line-height: 1.4; text-align: left; }
 figcaption { margin-top: 0.4rem; max-width: 44rem; }
 .caption { margin: 1.5rem 0 0.4rem; }

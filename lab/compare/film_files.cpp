@@ -11,8 +11,8 @@ namespace {
 std::string plain(const std::string& text) {
   std::string result;
   for (const char c : text) {
-    const bool kept = std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '=' ||
-                      c == '_' || c == '-';
+    const bool kept =
+        std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '=' || c == '_' || c == '-';
     if (kept || (!result.empty() && result.back() != '-')) result += kept ? c : '-';
   }
   while (result.ends_with('-')) result.pop_back();

@@ -71,13 +71,14 @@ std::optional<LongRuns> read_images(const fs::path& file, const Provenance& prov
   if (end == unbroken->npos) throw std::runtime_error("it has no beginning");
   std::optional<LongRuns> runs =
       without_runs(ordered_json::parse(unbroken->substr(0, end)), provenance);
-  if (runs) runs->runs = from_archive<std::vector<Rendering>>(std::string(unbroken->substr(end + 1)));
+  if (runs)
+    runs->runs = from_archive<std::vector<Rendering>>(std::string(unbroken->substr(end + 1)));
   return runs;
 }
 
 std::optional<LongRuns> read(const fs::path& file, const Provenance& provenance) {
-  auto runs = file.extension() == of_images ? read_images(file, provenance)
-                                            : read_rows(file, provenance);
+  auto runs =
+      file.extension() == of_images ? read_images(file, provenance) : read_rows(file, provenance);
   if (runs) require_whole(*runs);
   return runs;
 }

@@ -116,9 +116,9 @@ Decision agreement(const FilmEstimate& a, const FilmEstimate& b) {
   const Measurement &x = of_a[decision.worst], &y = of_b[decision.worst];
   decision.worst = bins[decision.worst];
   decision.detail =
-      fmt::format("in {}, {} ± {} and {} ± {}", place_in_words(a.shape, decision.worst), number_text(unit * x.value, 4),
-                  number_text(unit * x.standard_error, 2), number_text(unit * y.value, 4),
-                  number_text(unit * y.standard_error, 2));
+      fmt::format("in {}, {} ± {} and {} ± {}", place_in_words(a.shape, decision.worst),
+                  number_text(unit * x.value, 4), number_text(unit * x.standard_error, 2),
+                  number_text(unit * y.value, 4), number_text(unit * y.standard_error, 2));
   return decision;
 }
 

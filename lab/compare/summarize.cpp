@@ -52,8 +52,7 @@ class CellByCell {
       result.disagreements.push_back(disagreement_of(result.runs.back()));
       const std::size_t i = result.all.cells.size();
       const auto stream = streams_per_cell * static_cast<std::uint32_t>(i + 1);
-      result.all.cells.push_back(
-          measure_cell(result.runs.back(), yardstick_, reference_, stream));
+      result.all.cells.push_back(measure_cell(result.runs.back(), yardstick_, reference_, stream));
       result.all.cells.back().cell.contender = i / result.all.budgets;
       result.all.cells.back().cell.budget = i % result.all.budgets;
     }

@@ -51,7 +51,8 @@ TEST_F(SpacePlot, DrawsATrajectoryOverTheOutline) {
   EXPECT_EQ(count(paths, "class=\"accepted\""), accepted);
   EXPECT_EQ(count(paths, "class=\"rejected\""), rejected);
   for (const char* figure : {"trace", "acceptance", "autocorrelation"})
-    EXPECT_EQ(wander("plot steps.nc --force -o a.svg --figure " + std::string(figure)).exit_code, 0);
+    EXPECT_EQ(wander("plot steps.nc --force -o a.svg --figure " + std::string(figure)).exit_code,
+              0);
 }
 
 // Where it was recorded, the scene and its meshes need not be.
@@ -93,7 +94,8 @@ TEST_F(SpacePlot, WritesPathsAsLines) {
     std::string word;
     words >> word;
     if (word == "o") words >> object;
-    if (word == "v") words >> vertices.emplace_back()[0] >> vertices.back()[1] >> vertices.back()[2];
+    if (word == "v")
+      words >> vertices.emplace_back()[0] >> vertices.back()[1] >> vertices.back()[2];
     if (word == "l")
       for (std::size_t index; words >> index;) {
         if (line.find("l " + std::to_string(index)) == 0) lines[object].emplace_back();
@@ -116,9 +118,9 @@ TEST_F(SpacePlot, WritesPathsAsLines) {
   ASSERT_EQ(path.size(), static_cast<std::size_t>(t.proposed.vertices[*first]));
   for (std::size_t k = 0; k < path.size(); ++k)
     for (std::size_t axis = 0; axis < 3; ++axis)
-      EXPECT_EQ(vertices[path[k] - 1][axis],
-                t.proposed.position[(*first * static_cast<std::size_t>(t.max_vertices) + k) * 3 +
-                                    axis]);
+      EXPECT_EQ(
+          vertices[path[k] - 1][axis],
+          t.proposed.position[(*first * static_cast<std::size_t>(t.max_vertices) + k) * 3 + axis]);
 }
 
 TEST_F(SpacePlot, LinesAreOfOneTrajectoryInSpace) {

@@ -153,8 +153,8 @@ TEST(Wireframe, RimsAreTangent) {
 TEST(SpaceFigure, IsDrawnWithItsLegend) {
   const d::Scene scene = parse_scene(test::grey_room(), "room").scene;
   const std::string svg = space_figure(scene);
-  for (const char* part : {">small room<", "class=\"wireframe\"", ">glass<", ">light<",
-                           "edges of surfaces"})
+  for (const char* part :
+       {">small room<", "class=\"wireframe\"", ">glass<", ">light<", "edges of surfaces"})
     EXPECT_NE(svg.find(part), svg.npos) << part;
   EXPECT_EQ(svg.find(">sensor<"), svg.npos);
 }

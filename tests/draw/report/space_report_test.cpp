@@ -26,7 +26,8 @@ Runs image_runs(int width, int height, int channels) {
   runs.budgets = {"1s", "2s"};
   runs.replicates = 3;
   runs.provenance.dimension = 3;
-  runs.provenance.scene_text = channels == 3 ? coloured_room(width, height) : grey_room(width, height);
+  runs.provenance.scene_text =
+      channels == 3 ? coloured_room(width, height) : grey_room(width, height);
   runs.contenders = {{"mlt <1>", "mlt"}, {"bdpt", "bdpt"}};
   runs.details.resize(2);
   runs.reference.film = image_run(width, height, channels, 99).rendering.film;
@@ -36,8 +37,8 @@ Runs image_runs(int width, int height, int channels) {
     for (std::size_t b = 0; b < 2; ++b)
       for (std::size_t c = 0; c < 2; ++c) {
         Rendering made = image_run(width, height, channels, ++seed).rendering;
-        runs.runs.push_back({c, b, r, seed, 1000 * (b + 1), 1. + static_cast<double>(b), 0, 0,
-                             made.film});
+        runs.runs.push_back(
+            {c, b, r, seed, 1000 * (b + 1), 1. + static_cast<double>(b), 0, 0, made.film});
         if (r == 0 && b == 1) runs.details[c] = std::move(made);
       }
   return runs;
@@ -86,7 +87,8 @@ TEST(SpaceReport, HasOneExposure) {
     for (double& x : run.film.value) x *= 100;
   const std::string html = report_html(compare::summarize(runs));
   EXPECT_NE(html.find(fmt::format("white is a luminance of {:.3g}", white)), html.npos);
-  const std::string saturated = png_address(to_png(std::vector<std::uint8_t>(20 * 16, 255), 20, 16, 1));
+  const std::string saturated =
+      png_address(to_png(std::vector<std::uint8_t>(20 * 16, 255), 20, 16, 1));
   EXPECT_NE(html.find("id=\"picture-0\""), html.npos);
   EXPECT_NE(html.find(saturated), html.npos);
 }

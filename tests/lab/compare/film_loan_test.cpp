@@ -30,8 +30,8 @@ Runs image_runs() {
     for (std::size_t b = 0; b < 2; ++b)
       for (std::size_t c = 0; c < 2; ++c) {
         const Rendering made = image_run(10, 6, 3, ++seed).rendering;
-        runs.runs.push_back({c, b, r, seed, 1000 * (b + 1), 1. + static_cast<double>(b), 0, 0,
-                             made.film});
+        runs.runs.push_back(
+            {c, b, r, seed, 1000 * (b + 1), 1. + static_cast<double>(b), 0, 0, made.film});
       }
   return runs;
 }
@@ -88,8 +88,7 @@ TEST(FilmLoan, ALoanEndsWithItsLife) {
 TEST(FilmFiles, NamesAreOfContenderAndBudgetAndNoTwoAlike) {
   Runs runs;
   runs.budgets = {"30s", "2 min"};
-  runs.contenders = {
-      {"mlt large_step=0.3 (default)", "mlt"}, {"bdpt", "bdpt"}, {"bdpt ", "bdpt"}};
+  runs.contenders = {{"mlt large_step=0.3 (default)", "mlt"}, {"bdpt", "bdpt"}, {"bdpt ", "bdpt"}};
   EXPECT_EQ(film_file(runs, 0, 0), "films/mlt-large_step=0.3-default-30s.exr");
   EXPECT_EQ(film_file(runs, 1, 1), "films/bdpt-2-min.exr");
   EXPECT_EQ(film_file(runs, 2, 1), "films/bdpt-2-min-2.exr");

@@ -65,7 +65,8 @@ TEST_F(SpaceCompare, ErrorsAreMeansOverPixelsAndChannels) {
   }
   for (const json& run : all["runs"]) {
     if (run["replicate"] != 0) continue;
-    const std::size_t cell = run["contender"].get<std::size_t>() * 2 + run["budget"].get<std::size_t>();
+    const std::size_t cell =
+        run["contender"].get<std::size_t>() * 2 + run["budget"].get<std::size_t>();
     const FilmEstimate image = film("out/" + all["cells"][cell]["file"].get<std::string>());
     double square = 0, absolute = 0, weighted = 0;
     for (std::size_t i = 0; i < image.value.size(); ++i) {
@@ -93,11 +94,9 @@ TEST_F(SpaceCompare, CarriedOnItIsTheSame) {
                 .exit_code,
             0);
   ASSERT_EQ(compare("--continue --replicates 3 -o part -q").exit_code, 0);
-  ASSERT_EQ(compare(std::string(some) + "-o anew -q --reference whole/films/reference.exr")
-                .exit_code,
-            0);
-  const json memory =
-      compared(std::string(some) + "--reference whole/films/reference.exr");
+  ASSERT_EQ(
+      compare(std::string(some) + "-o anew -q --reference whole/films/reference.exr").exit_code, 0);
+  const json memory = compared(std::string(some) + "--reference whole/films/reference.exr");
   const json part = document("part"), anew = document("anew");
   const auto errors_of = [](const json& all, std::size_t seed_of) {
     for (const json& run : all["runs"])
@@ -169,8 +168,8 @@ TEST_F(SpaceCompare, IsInspectedAndDrawn) {
   EXPECT_EQ(inspected["cells"][3]["file"], "films/bdpt-4k.exr");
   EXPECT_EQ(wander("plot out -o error.svg").exit_code, 0);
   EXPECT_EQ(wander("inspect out/films/bdpt-4k.exr").exit_code, 0);
-  EXPECT_EQ(wander("plot out/films/pt-4k.exr --reference out/films/reference.exr -o z.svg").exit_code,
-            0);
+  EXPECT_EQ(
+      wander("plot out/films/pt-4k.exr --reference out/films/reference.exr -o z.svg").exit_code, 0);
   EXPECT_HAS(contents(folder / "z.svg"), "z: difference / standard error of both");
 }
 
