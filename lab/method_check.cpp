@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "lab/engine.h"
 #include "mlt/seeds/nothing_found.h"
@@ -36,21 +37,41 @@ MethodCheck untested(std::string method, std::string reason) {
   return {.method = std::move(method), .reason = std::move(reason)};
 }
 
+Measurement measured(const FilmEstimate& film, std::size_t bin) {
+  return {film.value[bin], film.standard_error[bin], film.degrees_of_freedom};
+}
+
+// Two values of this sum could be so different that the test tells them apart.
+bool could_disagree(const Measurement& a, const Measurement& b, double rate) {
+  return student_threshold(rate, welch(a, b).degrees) *
+             std::hypot(a.standard_error, b.standard_error) <
+         a.value + b.value;
+}
+
 }  // namespace
 
 MethodCheck compare_films(std::string method, const FilmEstimate& film,
                           const FilmEstimate& reference, double false_alarm) {
+  std::vector<std::size_t> reliable, bins;
+  for (std::size_t i = 0; i < film.value.size(); ++i)
+    if (film.reliable[i] && reference.reliable[i]) reliable.push_back(i);
+  if (reliable.empty())
+    return untested(std::move(method),
+                    "no bin of both films is reliable; a larger --samples may make some so");
   std::vector<Measurement> a, b;
-  std::vector<std::size_t> bins;
-  for (std::size_t i = 0; i < film.value.size(); ++i) {
-    if (!film.reliable[i] || !reference.reliable[i]) continue;
-    a.push_back({film.value[i], film.standard_error[i], film.degrees_of_freedom});
-    b.push_back({reference.value[i], reference.standard_error[i], reference.degrees_of_freedom});
+  for (const std::size_t i : reliable) {
+    const Measurement one = measured(film, i), other = measured(reference, i);
+    if (!could_disagree(one, other, sidak_rate(false_alarm, reliable.size()))) continue;
+    a.push_back(one);
+    b.push_back(other);
     bins.push_back(i);
   }
   if (bins.empty())
-    return untested(std::move(method),
-                    "no bin of both films is reliable; a larger --samples may make some so");
+    return untested(
+        std::move(method),
+        fmt::format("the errors of {} reliable bins rest on too few groups of chains to decide "
+                    "anything; a larger --samples may help",
+                    reliable.size()));
   Decision decision = welch_tests(a, b, false_alarm);
   decision.worst = bins[decision.worst];
   return {.method = std::move(method),

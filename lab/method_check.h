@@ -1,5 +1,6 @@
 // Do the methods agree?  Each film is held against that of bidirectional path tracing, bin by bin,
-// where both are reliable, by Welch's test on the error bars that the methods themselves state.
+// where both are reliable, by Welch's test on the error bars that the methods themselves state.  A
+// bin takes part if the test could fail there: of errors of few degrees of freedom it never does.
 // Images are rendered with pixels of their own for it, 16 along the longer side at most.
 #pragma once
 

@@ -57,14 +57,27 @@ double sidak_threshold(double family_false_alarm, std::size_t comparisons) {
   return boost::math::quantile(boost::math::complement(boost::math::normal{}, rate / 2));
 }
 
+namespace {
+
+// Quantiles that no double holds are infinite.
+using StudentsT = boost::math::students_t_distribution<
+    double, boost::math::policies::policy<
+                boost::math::policies::overflow_error<boost::math::policies::ignore_error>>>;
+// With so few degrees of freedom hardly any t is evidence, and Boost has no quantiles.
+constexpr double fewest_degrees = 1e-2;
+
+}  // namespace
+
 double student_two_sided_p(double t, double degrees) {
   if (!std::isfinite(t)) return 0;
-  const boost::math::students_t distribution{degrees};
+  if (degrees < fewest_degrees) return 1;
+  const StudentsT distribution{degrees};
   return 2 * boost::math::cdf(boost::math::complement(distribution, std::abs(t)));
 }
 
 double student_threshold(double false_alarm, double degrees) {
-  const boost::math::students_t distribution{degrees};
+  if (degrees < fewest_degrees) return std::numeric_limits<double>::infinity();
+  const StudentsT distribution{degrees};
   return boost::math::quantile(boost::math::complement(distribution, false_alarm / 2));
 }
 

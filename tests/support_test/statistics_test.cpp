@@ -99,6 +99,17 @@ TEST(Statistics, ThePairedTestRejectsAtItsRateThoughThePairsShareTheirNoise) {
   });
 }
 
+TEST(Statistics, AnErrorWithHardlyADegreeOfFreedomIsNoEvidence) {
+  for (const double degrees : {0.0, 1e-300, 0.003, 0.05}) {
+    EXPECT_GT(student_threshold(1e-9, degrees), 1e100) << degrees;
+    const std::vector<Measurement> a{{1, 0.01, degrees}}, b{{2, 0.001, degrees}};
+    EXPECT_TRUE(passes(welch_tests(a, b, 1e-9))) << degrees;
+  }
+  EXPECT_NEAR(student_threshold(0.05, 1), 12.706, 1e-3);
+  EXPECT_EQ(student_two_sided_p(10, 0), 1);
+  EXPECT_EQ(student_two_sided_p(nan, 5), 0);
+}
+
 TEST(Statistics, TheWelchTestRejectsAtItsRateWithUnequalVariances) {
   expect_calibrated(5, [](Generator& g) {
     const Moments a = normal_sample(g, 30, 1, 1), b = normal_sample(g, 20, 1, 5);

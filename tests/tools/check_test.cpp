@@ -147,5 +147,28 @@ TEST(Check, ComparesFilmsOnlyWhereBothAreReliable) {
   EXPECT_EQ(compare_films("pt", film, other, 1e-7).verdict, Verdict::untested);
 }
 
+// Errors that rest on one or two groups of chains decide nothing, however different the films are.
+TEST(Check, ComparesFilmsOnlyWhereTheyCouldDisagree) {
+  const FilmEstimate reference{.value = {1, 1},
+                               .standard_error = {0.01, 0.01},
+                               .reliable = {true, true},
+                               .degrees_of_freedom = 1e6};
+  for (const double degrees : {0.0, 0.003, 0.05, 1.0, 2.0}) {
+    FilmEstimate film = reference;
+    film.value = {1, 3};
+    film.standard_error = {0.05, 0.15};
+    film.degrees_of_freedom = degrees;
+    const MethodCheck check = compare_films("mlt", film, reference, 1e-7);
+    EXPECT_EQ(check.verdict, Verdict::untested) << degrees;
+    EXPECT_HAS(check.reason, "2 reliable bins");
+  }
+  FilmEstimate film = reference;
+  film.degrees_of_freedom = 1.5;
+  film.standard_error = {0, 0.15};  // the error of the first is that of the reference
+  const MethodCheck check = compare_films("mlt", film, reference, 1e-7);
+  EXPECT_EQ(check.verdict, Verdict::passed);
+  EXPECT_EQ(check.decision.comparisons, 1u);
+}
+
 }  // namespace
 }  // namespace wander::test

@@ -15,17 +15,18 @@
 #include "mutations/kelemen.h"
 #include "tests/support/expect.h"
 #include "tests/support/invariance.h"
+#include "tests/support/space_box.h"
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {
 namespace {
 
-using W = Flatland;
-using Flat = Transport<W>;
+using Flat = Transport<Flatland>;
 
 // h(u) in [0, 1]: the share of the light in each stripe of the film, by length; the largest share;
 // how many splats there are.
-FunctionValues values_of(const Flat& space, const SampleSplats<W>& sample) {
+template <class Space>
+FunctionValues values_of(const Space& space, const SampleSplats<typename Space::Universe>& sample) {
   FunctionValues h{};
   sample.for_each_share([&](int vertices, int bin, double share, Tint<1>) {
     const auto stripe = static_cast<std::size_t>(bin) * film_stripes /
@@ -37,7 +38,9 @@ FunctionValues values_of(const Flat& space, const SampleSplats<W>& sample) {
   h[function_count - 1] = std::min(1.0, static_cast<double>(sample.splats.size()) / 16);
   return h;
 }
-FunctionValues values_of(const Flat& space, const MultiplexedPath<W>& sample) {
+template <class Space>
+FunctionValues values_of(const Space& space,
+                         const MultiplexedPath<typename Space::Universe>& sample) {
   return PathFunctions(space).values(sample.path);
 }
 
@@ -141,8 +144,8 @@ struct Options {
 };
 
 // Nothing, if no start carries light.
-template <template <class, class> class Chain, class Sampler>
-std::optional<Report> invariance(const Flat& space, Sampler sampler, const Options& options) {
+template <template <class, class> class Chain, class Space, class Sampler>
+std::optional<Report> invariance(const Space& space, Sampler sampler, const Options& options) {
   PrimaryStarts<Sampler> starts(sampler);
   if (!starts.found_light()) return {};
   Chain<Sampler, Kelemen> chain(sampler, {Kelemen{}, options.large_step});
@@ -190,9 +193,10 @@ INSTANTIATE_TEST_SUITE_P(Rooms, PrimaryInvariance,
                                            Room{"Rough", rough_room}, Room{"Camera", pinhole_room}),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST_P(PrimaryInvariance, OfWholeSamples) {
+template <class Space>
+void expect_invariance_of_whole_samples(const Space& space) {
   for (const double large : {0.0, 0.3}) {
-    const auto report = invariance<PrimaryChain>(space_, SplatSampler<Flat>(space_),
+    const auto report = invariance<PrimaryChain>(space, SplatSampler<Space>(space),
                                                  {.samples = 8'000, .large_step = large});
     ASSERT_TRUE(report);
     EXPECT_TRUE(passes(report->one_step));
@@ -200,12 +204,12 @@ TEST_P(PrimaryInvariance, OfWholeSamples) {
     EXPECT_GE(report->many_steps.comparisons, std::size_t{15});
   }
 }
-
-TEST_P(PrimaryInvariance, OfPathsOfEachLength) {
+template <class Space>
+void expect_invariance_of_paths_of_each_length(const Space& space) {
   int lengths = 0;
-  for (int n = 2; n <= space_.max_vertices(); ++n) {
+  for (int n = 2; n <= space.max_vertices(); ++n) {
     const auto report =
-        invariance<PrimaryChain>(space_, MultiplexedSampler<Flat>(space_, n), {.samples = 30'000});
+        invariance<PrimaryChain>(space, MultiplexedSampler<Space>(space, n), {.samples = 30'000});
     if (!report) continue;  // the camera does not see a light
     ++lengths;
     EXPECT_TRUE(passes(report->one_step)) << n;
@@ -213,6 +217,22 @@ TEST_P(PrimaryInvariance, OfPathsOfEachLength) {
     EXPECT_GE(report->many_steps.comparisons, std::size_t{15}) << n;
   }
   EXPECT_GE(lengths, 3);
+}
+
+TEST_P(PrimaryInvariance, OfWholeSamples) { expect_invariance_of_whole_samples(space_); }
+TEST_P(PrimaryInvariance, OfPathsOfEachLength) {
+  expect_invariance_of_paths_of_each_length(space_);
+}
+
+// The box is seen by its floor.
+class PrimaryInvarianceInSpace : public ::testing::Test {
+ protected:
+  Scene<Spaceland> scene_{space_box()};
+  Transport<Spaceland> space_{scene_, Roulette::off};
+};
+TEST_F(PrimaryInvarianceInSpace, OfWholeSamples) { expect_invariance_of_whole_samples(space_); }
+TEST_F(PrimaryInvarianceInSpace, OfPathsOfEachLength) {
+  expect_invariance_of_paths_of_each_length(space_);
 }
 
 TEST(PrimaryTwin, AChainThatDoesNotRestoreARejectedStateIsCaught) {
