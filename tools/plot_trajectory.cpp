@@ -92,7 +92,7 @@ std::string drawn(const figure::TrajectoryPage& page, TrajectoryFigure wanted) {
 
 // The geometry is that of the file of the trajectory: no mesh is read for it.
 description::Scene scene_without_meshes(const TrajectoryRecord& record, const std::string& file) {
-  const auto any_mesh = [](const std::string&) {
+  const auto any_mesh = [](const std::string&, description::MeshNormals) {
     return Triangles{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   };
   return parse_scene(record.provenance.scene_text, file, any_mesh).scene;

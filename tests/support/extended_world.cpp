@@ -1,11 +1,8 @@
 #include "tests/support/extended_world.h"
 
 // The definitions that the program makes for its own worlds.
-<<<<<<< HEAD
-#include "core/geometry/box_tree.cpp"
-=======
 #include "core/conductor.cpp"
->>>>>>> i10-materials
+#include "core/geometry/box_tree.cpp"
 #include "core/geometry/bvh.cpp"
 #include "core/geometry/shapes_flat.cpp"
 #include "core/material.cpp"
