@@ -31,7 +31,9 @@ TEST(RecordedMaterials, AreCalledAsInSceneFiles) {
     const std::size_t material = flat.material(kind);
     flat.segment({0, 0}, {1, 0}, {material});
     space.materials.push_back({name, kind});
-    space.shapes.push_back({description::Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}}, material});
+    description::Shape& shape = space.shapes.emplace_back();
+    shape.kind = description::Triangle{{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}};
+    shape.material = material;
   }
   const SceneCurves curves = scene_curves(flat.description());
   const SceneFaces faces = scene_faces(space);
