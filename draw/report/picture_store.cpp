@@ -10,19 +10,13 @@
 namespace wander::report {
 namespace {
 
-// Noise is not compressed: a page of pictures takes 4/3 of this.
-constexpr std::size_t most_bytes = 2'200'000;
+// A page of pictures takes 4/3 of this.
+constexpr std::size_t most_bytes = 1'600'000;
 
 std::string png_of(const FilmEstimate& film, double white) {
   const ImageShape shape(film.shape);
   return png_address(to_png(srgb_bytes(film.value, white), static_cast<int>(shape.width),
                             static_cast<int>(shape.height), static_cast<int>(shape.channels)));
-}
-
-std::size_t pixels_to_one(const ImageShape& shape, std::size_t count) {
-  std::size_t n = figure::pixels_per_pixel(shape.width, shape.height);
-  while (count * shape.numbers() / (n * n) > most_bytes) ++n;
-  return n;
 }
 
 std::string image(const std::string& id, double width, double height, const std::string& address) {
@@ -33,8 +27,17 @@ std::string image(const std::string& id, double width, double height, const std:
 
 }  // namespace
 
+std::size_t pixels_to_one(const FilmEstimate& like, std::size_t channels, std::size_t count,
+                          std::size_t most) {
+  const ImageShape shape(like.shape);
+  std::size_t n = figure::pixels_per_pixel(shape.width, shape.height);
+  while (count * shape.pixels() * channels / (n * n) > most) ++n;
+  return n;
+}
+
 PictureStore::PictureStore(const FilmEstimate& like, std::size_t count, double white)
-    : white_(white), per_pixel_(pixels_to_one(ImageShape(like.shape), count)) {
+    : white_(white),
+      per_pixel_(pixels_to_one(like, ImageShape(like.shape).channels, count, most_bytes)) {
   const ImageShape shape(like.shape);
   width_ = static_cast<double>(shape.width);
   height_ = static_cast<double>(shape.height);

@@ -11,6 +11,11 @@
 
 namespace wander::report {
 
+// How many pixels across are to become one so that so many images of this shape together have at most
+// so many bytes before they are compressed: noise hardly is.
+std::size_t pixels_to_one(const FilmEstimate& like, std::size_t channels, std::size_t count,
+                          std::size_t most_bytes);
+
 // All with one exposure: `white` is that of records/tone.h.
 class PictureStore {
  public:

@@ -20,7 +20,7 @@
 namespace wander::report {
 namespace {
 
-constexpr std::size_t most_crops = 3;
+constexpr std::size_t most_crops = 3, most_bytes_of_maps = 1'000'000;
 
 struct Pictures {
   const Subject& subject;
@@ -164,10 +164,11 @@ void write_maps(Html& html, const Pictures& pictures) {
   }
   const figure::ToneScale scale = figure::tone_scale(errors);
   const double most = figure::largest_shown(differences);
+  const std::size_t n =
+      pixels_to_one(pictures.reference(), 3, 2 * pictures.images.size(), most_bytes_of_maps);
   html.element("h3", "Where the errors are");
   for (const ContenderImage& image : pictures.images) {
     const std::string replicates = counted(image.replicates, "replicate");
-    const std::size_t n = figure::pixels_per_pixel(image.z.width, image.z.height);
     figure::Block row = figure::panel_row(
         figure::log_panel({fmt::format("{}: relative error", pictures.label(image)),
                            fmt::format("root mean square over {}", replicates)},

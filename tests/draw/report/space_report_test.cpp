@@ -76,7 +76,7 @@ TEST(SpaceReport, StaysSmallWhateverTheResolution) {
   runs.reference.film = image_run(800, 600, 3).rendering.film;
   for (compare::Run& run : runs.runs) run.film = runs.reference.film;
   for (Rendering& details : runs.details) details.film = runs.reference.film;
-  EXPECT_LT(report_html(compare::summarize(runs)).size(), 5'000'000u);
+  EXPECT_LT(report_html(compare::summarize(runs)).size(), 4'500'000u);
 }
 
 // All pictures of a page have the exposure of the reference.
