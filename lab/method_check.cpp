@@ -69,9 +69,9 @@ MethodCheck compare_films(std::string method, const FilmEstimate& film,
   if (bins.empty())
     return untested(
         std::move(method),
-        fmt::format("the errors of {} reliable bins rest on too few groups of chains to decide "
-                    "anything; a larger --samples may help",
-                    reliable.size()));
+        fmt::format("where both films are reliable, in {} of {} bins, their errors rest on too few "
+                    "groups of chains to decide anything; a larger --samples may help",
+                    reliable.size(), film.value.size()));
   Decision decision = welch_tests(a, b, false_alarm);
   decision.worst = bins[decision.worst];
   return {.method = std::move(method),
