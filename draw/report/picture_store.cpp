@@ -10,6 +10,8 @@
 namespace wander::report {
 namespace {
 
+// Fewer pixels across are shown as squares, and not smoothed.
+constexpr double few = 250;
 // A page of pictures takes 4/3 of this.
 constexpr std::size_t most_bytes = 1'600'000;
 
@@ -47,8 +49,9 @@ std::size_t PictureStore::add(Html& html, const FilmEstimate& film) {
   const std::size_t number = pictures_++;
   html.markup(fmt::format(
       "<svg class=\"store\" width=\"0\" height=\"0\" aria-hidden=\"true\"><defs>{}</defs></svg>\n",
-      image(fmt::format("id=\"picture-{}\" ", number), width_, height_,
-            png_of(figure::averaged(film, per_pixel_), white_))));
+      image(fmt::format("id=\"picture-{}\" {}", number,
+                        width_ < few * static_cast<double>(per_pixel_) ? "class=\"few\" " : ""),
+            width_, height_, png_of(figure::averaged(film, per_pixel_), white_))));
   return number;
 }
 

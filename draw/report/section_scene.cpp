@@ -38,11 +38,13 @@ void write_fluence(Html& html, const Subject& subject) {
 }
 
 void write_outline(Html& html, const Subject& subject) {
-  write_figure(html,
-               figure::space_figure(subject.scene, {.title = subject.scene.name,
-                                                    .width = figure::style::column_width}),
-               "The outline of the scene as its camera has it, with what is hidden.", Ground::page,
-               Breadth::column);
+  write_figure(
+      html,
+      figure::space_figure(subject.scene,
+                           {.title = subject.scene.name, .width = figure::style::column_width}),
+      subject.scene.camera ? "The outline of the scene as its camera has it, with what is hidden."
+                           : "The outline of the scene from outside, with what is hidden.",
+      Ground::page, Breadth::column);
 }
 
 std::string or_none(std::vector<std::string> words) {

@@ -74,7 +74,7 @@ dd { margin: 0; }
   grid-auto-columns: minmax(4.5rem, 11rem); }
 .gallery figure, .crops figure { margin: 0; }
 .gallery svg, .crops svg, .split svg { display: block; width: 100%; min-width: 0; height: auto; }
-.crops svg, .gallery svg, .split svg, .picture .picture { image-rendering: pixelated; }
+.crops svg, .few, .picture .picture { image-rendering: pixelated; }
 .gallery svg text { font-family: inherit; }
 .split { border: 0; margin: 0; padding: 0; min-width: 0; }
 .split legend { font-weight: 600; padding: 0; }

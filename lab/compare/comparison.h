@@ -2,7 +2,8 @@
 // long each takes to a given error.  Made of Runs by summarize(); read by the writers of
 // compare.json and compare.csv and by the report.
 //
-// With R replicates of a film x_r, a reference I whose standard error is e, and Σ over bins,
+// With R replicates of a film x_r, a reference I whose standard error is e, and Σ over bins (of an
+// image, over the channels of its pixels),
 //   relative MSE of a run   m_r = (Σ (x_r - I)² - Σ e²) / Σ I²
 //   relative RMSE           √(mean_r m_r)
 // The reference's own error, Σ e², is subtracted.
