@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -18,13 +19,18 @@
 #include "core/geometry/shape.h"
 #include "core/tint.h"
 
+namespace wander {
+class Texture;
+}
+
 namespace wander::description {
 
 // One number, or red, green and blue (linear, Rec. 709): grey is three equal channels with
-// `coloured` false.
+// `coloured` false.  A reflectance that a texture says has the texture's mean as its channels.
 struct Quantity {
   std::array<double, 3> channels{};
   bool coloured = false;
+  std::shared_ptr<const Texture> texture{};
 };
 inline double luminance(const Quantity& q) {
   return q.coloured ? wander::luminance(q.channels) : q.channels[0];

@@ -91,6 +91,13 @@ bool caustics_can_form(const Scene& scene, const std::vector<MaterialKind>& mate
   return scene.max_vertices >= 4 && any_of(materials, Scatters{});
 }
 
+struct Textured {
+  bool operator()(const Diffuse& m) const { return m.reflectance.texture != nullptr; }
+  bool operator()(const Mirror& m) const { return m.reflectance.texture != nullptr; }
+  bool operator()(const RoughConductor& m) const { return m.reflectance.texture != nullptr; }
+  bool operator()(const auto&) const { return false; }
+};
+
 bool is_coloured(const Scene& scene, const std::vector<MaterialKind>& materials) {
   return any_of(materials, Coloured{}) ||
          std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const description::Shape& shape) {
@@ -145,6 +152,7 @@ Requirements requires_of(const Scene& scene) {
         const auto* mesh = std::get_if<description::Mesh>(&shape.kind);
         return mesh != nullptr && mesh->normals == MeshNormals::smooth;
       });
+  requirements.textures = any_of(materials, Textured{});
   requirements.max_vertices = scene.max_vertices;
   return requirements;
 }

@@ -18,6 +18,7 @@ struct Requirements {
   bool scatters = false;                // some surface reflects or refracts into many directions
   bool glossy = false;                  // of these, some are rough mirrors or rough glass
   bool smooth_normals = false;          // some mesh is shaded by normals that are not its own
+  bool textures = false;                // some surface reflects what a picture says
   int max_vertices = 0;
 };
 

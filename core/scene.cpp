@@ -38,11 +38,13 @@ bool specular_material(const Material<W>& material) {
 template <World W>
 Scene<W>::Scene(SceneParts<W> parts)
     : materials_(std::move(parts.materials)),
+      textures_(std::move(parts.textures)),
       camera_(std::move(parts.camera)),
       resolution_(std::move(parts.resolution)),
       bins_(1),
       max_vertices_(parts.max_vertices) {
   for (const int n : resolution_) bins_ *= n;
+  textures_.resize(materials_.size());
   double power = 0;
   for (const auto& part : parts.parts) {
     const auto id = static_cast<ShapeId>(shapes_.size());
@@ -55,7 +57,8 @@ Scene<W>::Scene(SceneParts<W> parts)
                          .is_sensor = part.is_sensor,
                          .is_smooth = is_smooth<W>(part.shape),
                          .radiance = part.radiance,
-                         .tint = part.tint});
+                         .tint = part.tint,
+                         .texture = textures_[part.material].get()});
     if (part.is_sensor) sensor_ = id;
     if (!(part.radiance > 0)) continue;
     lights_.push_back(id);

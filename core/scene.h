@@ -16,6 +16,8 @@
 
 namespace wander {
 
+class Texture;
+
 template <World W>
 struct Surface {
   using Real = typename W::Real;
@@ -28,6 +30,7 @@ struct Surface {
   Real radiance = 0;       // 0: no light; of colours luminance, as all values
   Real light_density = 0;  // of points, when a light is sampled; per unit of area
   [[no_unique_address]] typename W::Tint tint{};  // of its radiance
+  const Texture* texture = nullptr;  // what the material reflects is what this says (texturing.h)
 
   bool is_light() const { return radiance > 0; }
 };
@@ -42,6 +45,7 @@ struct SceneParts {
     [[no_unique_address]] typename W::Tint tint{};  // of its radiance
   };
   std::vector<Material<W>> materials;
+  std::vector<std::shared_ptr<const Texture>> textures;  // of the materials; null: none
   std::vector<Part> parts;
   std::optional<Camera<W>> camera;
   std::vector<int> resolution;  // of the film, fastest axis last
@@ -99,6 +103,7 @@ class Scene {
   std::vector<Shape<W>> shapes_;
   std::vector<Surface<W>> surfaces_;
   std::vector<Material<W>> materials_;
+  std::vector<std::shared_ptr<const Texture>> textures_;
   std::vector<ShapeId> lights_;
   std::vector<double> light_pmf_;
   SceneAccelerator<W> accelerator_;

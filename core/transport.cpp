@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/shading.h"
+#include "core/texturing.h"
 
 namespace wander {
 
@@ -251,10 +252,11 @@ void Transport<W>::evaluate(Path<W>& x, int i) const {
   const ShadingFrame<W> frame(*scene_, v.place);
   const Direction light = -x[i - 1].place.to_sensor, sensor = v.place.to_sensor;
   const Local to_light = frame.to_local(light), to_sensor = frame.to_local(sensor);
-  const Scattering<W> s = frame.stretched(
+  const Texel<W> texel(*scene_, v.place);
+  const Scattering<W> s = texel.scaled(frame.stretched(
       std::visit([&](const auto& m) { return m.evaluate(v.event, to_light, to_sensor); },
                  material(v)),
-      light, sensor);
+      light, sensor));
   const auto q = static_cast<double>(survival(v));
   v.value = s.value;
   v.tint = s.tint;
@@ -272,7 +274,8 @@ bool Transport<W>::has_lobes(const Vertex<W>& v) const {
 template <World W>
 auto Transport<W>::albedo(const Vertex<W>& v) const -> Real {
   if (v.event == Event::emission || v.event == Event::detection) return 1;
-  return std::visit([](const auto& m) { return m.survival(); }, material(v));
+  return Texel<W>(*scene_, v.place)
+      .scaled(std::visit([](const auto& m) { return m.survival(); }, material(v)));
 }
 
 template <World W>

@@ -44,17 +44,17 @@ SceneDocument open_file(const std::string& source) {
   }
 }
 
-Triangles gallery_mesh(const std::string& file, MeshNormals wanted) {
+Triangles gallery_mesh(const std::string& file, MeshWants wanted) {
   for (const GalleryMesh& mesh : std::span(gallery_meshes, gallery_mesh_count))
     if (mesh.file == file) return parse_obj(mesh.text, wanted);
   throw MeshFileError("the gallery has no such mesh; save the scene beside its own");
 }
 
-MeshReader meshes_of(const std::string& source) {
-  if (source == standard_input) return no_mesh;
-  if (source.starts_with(gallery_prefix)) return gallery_mesh;
+SceneFiles files_of(const std::string& source) {
+  if (source == standard_input) return {};
+  if (source.starts_with(gallery_prefix)) return {.mesh = gallery_mesh};
   const std::filesystem::path folder = std::filesystem::path(source).parent_path();
-  return meshes_in(folder.empty() ? "." : folder);
+  return files_in(folder.empty() ? "." : folder);
 }
 
 }  // namespace
@@ -71,11 +71,11 @@ SceneDocument open_scene(const std::string& source) {
   if (source == standard_input) return read_scene(std::cin, shown_name(source));
   if (!source.starts_with(gallery_prefix)) return open_file(source);
   const GalleryScene& scene = gallery_scene(std::string_view(source).substr(gallery_prefix.size()));
-  return parse_scene(scene.text, source, gallery_mesh);
+  return parse_scene(scene.text, source, files_of(source));
 }
 
 SceneDocument reopen_scene(const std::string& text, const std::string& source) {
-  return parse_scene(text, shown_name(source), meshes_of(source));
+  return parse_scene(text, shown_name(source), files_of(source));
 }
 
 Provenance provenance_of(const SceneDocument& document, const std::string& command_line) {

@@ -131,7 +131,7 @@ ExitCode import_scene(const ImportOptions& options, const Global& global) {
   for (const ImportFault& one : scene.approximations) spdlog::warn("{}", line_of(one));
   if (!global.quiet)
     print_note(fmt::format(
-        "{}: shapes: {}, materials: {}, mesh files: {}; {}\n", global.out.string(), scene.shapes,
+        "{}: shapes: {}, materials: {}, files: {}; {}\n", global.out.string(), scene.shapes,
         scene.materials, scene.files.size(),
         scene.approximations.empty() ? "all of it is exact" : "what is not exact is listed above"));
   if (global.json) print_json(summary_of(scene, global));

@@ -45,7 +45,10 @@ ordered_json requirements_of(const description::Scene& scene) {
       {"materials", needs.materials}, {"shapes", needs.shapes},
       {"specular", needs.specular},   {"caustic_paths_possible", needs.caustic_paths_possible},
       {"mutations", choice.taken},    {"left_out", choice.left_out}};
-  if (needs.dimension == 3) required["smooth_normals"] = needs.smooth_normals;
+  if (needs.dimension == 3) {
+    required["smooth_normals"] = needs.smooth_normals;
+    required["textures"] = needs.textures;
+  }
   return required;
 }
 
@@ -79,6 +82,7 @@ std::string requires_text(const ordered_json& needs) {
   text += fmt::format("    materials     {}\n", words_of(needs["materials"]));
   text += fmt::format("    shapes        {}\n", words_of(needs["shapes"]));
   if (needs.value("smooth_normals", false)) text += "    normals       smooth\n";
+  if (needs.value("textures", false)) text += "    textures      yes\n";
   text += fmt::format("    specular      {}\n", yes_or_no(needs["specular"]));
   text += fmt::format("    caustics      {}\n",
                       needs["caustic_paths_possible"].get<bool>() ? "possible" : "not possible");

@@ -90,12 +90,15 @@ std::string drawn(const figure::TrajectoryPage& page, TrajectoryFigure wanted) {
   return page.overview();
 }
 
-// The geometry is that of the file of the trajectory: no mesh is read for it.
-description::Scene scene_without_meshes(const TrajectoryRecord& record, const std::string& file) {
-  const auto any_mesh = [](const std::string&, description::MeshNormals) {
-    return Triangles{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
+// The geometry is that of the file of the trajectory: no mesh is read for it, and no texture.
+description::Scene scene_without_files(const TrajectoryRecord& record, const std::string& file) {
+  const auto any_mesh = [](const std::string&, MeshWants) {
+    return Triangles{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {{0, 0, 1}}, {{0, 0, 0}}};
   };
-  return parse_scene(record.provenance.scene_text, file, any_mesh).scene;
+  const auto any_texture = [](const std::string&) {
+    return std::make_shared<const Texture>(Texture::Picture{1, 1, 1, {0}, {}, {0.5}});
+  };
+  return parse_scene(record.provenance.scene_text, file, {any_mesh, any_texture}).scene;
 }
 
 // The film that the paths are drawn over, of the same camera.
@@ -146,7 +149,7 @@ std::string trajectory_obj(const TrajectoryRecord& record, const PlotOptions& op
 
 std::string trajectory_svg(const TrajectoryRecord& record, const PlotOptions& options) {
   require_drawable(record, options);
-  const description::Scene scene = scene_without_meshes(record, options.files.front());
+  const description::Scene scene = scene_without_files(record, options.files.front());
   const figure::TrajectoryPage page(record.trajectory, stage_of(record, scene, options),
                                     filter_of(record.trajectory, options),
                                     options.title.value_or(record.provenance.scene_name),

@@ -2,6 +2,27 @@
 
 namespace wander {
 
+namespace {
+
+// The normal of a triangle, and what the second and third corners weigh at a point of it.
+template <World W>
+struct Mixture {
+  typename W::Point own;
+  typename W::Length of_b, of_c;
+};
+
+template <World W>
+Mixture<W> mixture_at(typename W::Point p, typename W::Point a, typename W::Point b,
+                      typename W::Point c) {
+  const auto area = glm::cross(b - a, c - a);
+  const auto size = glm::length(area);
+  const auto own = area / size;
+  return {own, glm::dot(glm::cross(p - a, c - a), own) / size,
+          glm::dot(glm::cross(b - a, p - a), own) / size};
+}
+
+}  // namespace
+
 template <World W>
 Mesh<W>::Mesh(std::shared_ptr<const Triangles> triangles, Role role)
     : triangles_(std::move(triangles)) {
@@ -63,13 +84,26 @@ auto Mesh<W>::corner_normal(std::int32_t primitive, std::size_t corner, Point ow
 }
 
 template <World W>
+auto Mesh<W>::texture_coordinates(Point p, std::int32_t primitive) const -> std::array<double, 2> {
+  const auto [a, b, c] = corners(primitive);
+  const auto [own, of_b, of_c] = mixture_at<W>(p, a, b, c);
+  const auto& numbers = (triangles_->coordinate_corners.empty()
+                             ? triangles_->corners
+                             : triangles_->coordinate_corners)[static_cast<std::size_t>(primitive)];
+  const auto at = [&](std::size_t corner, std::size_t axis) {
+    return triangles_->coordinates[static_cast<std::size_t>(numbers[corner])][axis];
+  };
+  const auto mixed = [&](std::size_t axis) {
+    const double first = at(0, axis);
+    return first + of_b * (at(1, axis) - first) + of_c * (at(2, axis) - first);
+  };
+  return {mixed(0), mixed(1)};
+}
+
+template <World W>
 auto Mesh<W>::shading_normal(Point p, std::int32_t primitive) const -> Point {
   const auto [a, b, c] = corners(primitive);
-  const Point area = glm::cross(b - a, c - a);
-  const Length size = glm::length(area);
-  const Point own = area / size;
-  const Length of_b = glm::dot(glm::cross(p - a, c - a), own) / size,
-               of_c = glm::dot(glm::cross(b - a, p - a), own) / size;
+  const auto [own, of_b, of_c] = mixture_at<W>(p, a, b, c);
   const Point mixed = (1 - of_b - of_c) * corner_normal(primitive, 0, own) +
                       of_b * corner_normal(primitive, 1, own) +
                       of_c * corner_normal(primitive, 2, own);

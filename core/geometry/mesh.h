@@ -41,6 +41,8 @@ class Mesh {
   bool is_smooth() const { return !triangles_->normals.empty(); }
   // The normals of the corners as they are mixed there, on the triangle's own side.
   Point shading_normal(Point p, std::int32_t primitive) const;
+  // Those of the corners as they are mixed there.
+  std::array<double, 2> texture_coordinates(Point p, std::int32_t primitive) const;
   Box<W> bounds() const;
   Box<W> bounds(std::int32_t primitive) const {
     const auto [a, b, c] = corners(primitive);

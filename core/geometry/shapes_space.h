@@ -47,6 +47,10 @@ class Parallelogram {
   SurfacePoint<W> surface(const Ray<W>& ray, const Hit<W>& hit) const;
   SurfacePoint<W> sample(typename W::Square u) const;
   typename W::Square parameter(Point p, PrimitiveId<W> = {}) const;
+  // Along the edges.
+  std::array<double, 2> texture_coordinates(Point p, PrimitiveId<W>) const {
+    return {glm::dot(p - origin_, dual0_), glm::dot(p - origin_, dual1_)};
+  }
   Length measure() const { return area_; }
   Box<W> bounds() const;
 

@@ -1,5 +1,5 @@
-// Triangles that share corners, as plain data: 12 bytes a triangle, 24 a corner; and 24 a normal, where
-// there are any.
+// Triangles that share corners, as plain data: 12 bytes a triangle, 24 a corner; and 24 a normal, 16 a
+// pair of texture coordinates, where there are any.
 #pragma once
 
 #include <array>
@@ -17,6 +17,11 @@ struct Triangles {
   // Which of them the corners of a triangle have, -1 for that of the triangle; empty if normals are
   // numbered as points.
   std::vector<std::array<std::int32_t, 3>> normal_corners{};
+
+  // Texture coordinates, u to the right and v up, for surfaces with a texture, else empty.
+  std::vector<std::array<double, 2>> coordinates{};
+  // Which of them the corners of a triangle have; empty if they are numbered as points.
+  std::vector<std::array<std::int32_t, 3>> coordinate_corners{};
 };
 
 }  // namespace wander

@@ -15,7 +15,7 @@ constexpr double matched_below = 1e-12;  // |η - 1|
 
 template <World W>
 typename W::Tint tint(const description::Quantity& q) {
-  return q.coloured ? W::Tint::of(q.channels) : typename W::Tint{};
+  return q.coloured && !q.texture ? W::Tint::of(q.channels) : typename W::Tint{};
 }
 
 // As the world holds them: float knows fewer of them apart.
@@ -58,7 +58,10 @@ template <World W>
 struct MaterialBuilder {
   using Real = typename W::Real;
   static Real real(double x) { return static_cast<Real>(x); }
-  static Real grey(const description::Quantity& q) { return real(luminance(q)); }
+  // What a texture is to scale is 1, unless there is nothing in it.
+  static Real grey(const description::Quantity& q) {
+    return q.texture && luminance(q) > 0 ? Real(1) : real(luminance(q));
+  }
 
   Material<W> operator()(const description::Black&) const { return Black<W>{}; }
   Material<W> operator()(const description::Diffuse& m) const {
@@ -110,12 +113,26 @@ Material<W> build_material(const description::MaterialKind& kind) {
   return std::visit(MaterialBuilder<W>{}, kind);
 }
 
+std::shared_ptr<const Texture> texture_of(const description::MaterialKind& kind) {
+  return std::visit(
+      [](const auto& material) -> std::shared_ptr<const Texture> {
+        if constexpr (requires { material.reflectance; })
+          return material.reflectance.texture;
+        else
+          return nullptr;
+      },
+      kind);
+}
+
 template <World W>
 std::unique_ptr<const Scene<W>> build_scene(const description::Scene& scene) {
   SceneParts<W> parts;
   parts.max_vertices = scene.max_vertices;
   parts.resolution = film_resolution(scene);
-  for (const auto& m : scene.materials) parts.materials.push_back(build_material<W>(m.kind));
+  for (const auto& m : scene.materials) {
+    parts.materials.push_back(build_material<W>(m.kind));
+    parts.textures.push_back(texture_of(m.kind));
+  }
   const std::size_t black = parts.materials.size();
   parts.materials.push_back(Black<W>{});
   for (const auto& shape : scene.shapes) {

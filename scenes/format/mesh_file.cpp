@@ -37,7 +37,7 @@ std::string contents_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-Triangles read_mesh(const std::filesystem::path& path, MeshNormals wanted) {
+Triangles read_mesh(const std::filesystem::path& path, MeshWants wanted) {
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

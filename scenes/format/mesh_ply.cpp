@@ -1,6 +1,6 @@
 // PLY [Turk 1994]: a header that says what elements follow, of what properties; then their values,
 // as text or binary.  The vertices' x, y and z and the faces' vertex_indices are taken, and nx, ny and
-// nz if they are wanted; all else is passed over.
+// nz, and texture coordinates under any of their usual names, if they are wanted; all else is passed over.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -161,10 +161,20 @@ class BinaryValues {
   bool is_native_;
 };
 
+// 0 and 1 for texture coordinates u and v, else 2.
+std::size_t axis_of_coordinate(const Property& property) {
+  constexpr std::array<std::array<std::string_view, 2>, 4> names{
+      {{"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
+  for (const auto& pair : names)
+    for (std::size_t axis = 0; axis < pair.size(); ++axis)
+      if (!property.count && property.name == pair[axis]) return axis;
+  return 2;
+}
+
 template <class Values>
 class PlyReader {
  public:
-  PlyReader(Values values, MeshNormals wanted) : values_(std::move(values)), wanted_(wanted) {}
+  PlyReader(Values values, MeshWants wanted) : values_(std::move(values)), wanted_(wanted) {}
 
   Triangles triangles(const Header& header) && {
     bool has_points = false, has_faces = false;
@@ -197,7 +207,7 @@ class PlyReader {
 
  private:
   void read(const Element& element) {
-    std::array<double, 3> point{}, normal{};
+    std::array<double, 3> point{}, normal{}, place{};
     for (const Property& property : element.properties) {
       if (property.count) {
         read_list(property, element.name == "face" && (property.name == "vertex_indices" ||
@@ -207,12 +217,16 @@ class PlyReader {
       const double value = values_.next(*property.type);
       if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z')
         point[static_cast<std::size_t>(property.name[0] - 'x')] = value;
+      place[axis_of_coordinate(property)] = value;
       if (is_normal(property)) normal[static_cast<std::size_t>(property.name[1] - 'x')] = value;
     }
     if (element.name != "vertex") return;
     for (const double x : point) values_.checked(x);
     result_.points.push_back(point);
-    if (wanted_ == MeshNormals::flat || std::ranges::none_of(element.properties, is_normal)) return;
+    if (wanted_.coordinates == MeshCoordinates::of_textures)
+      result_.coordinates.push_back({values_.checked(place[0]), values_.checked(place[1])});
+    if (wanted_.normals == MeshNormals::flat || std::ranges::none_of(element.properties, is_normal))
+      return;
     for (const double x : normal) values_.checked(x);
     result_.normals.push_back(normal);
   }
@@ -228,6 +242,14 @@ class PlyReader {
             return property.name == axis && !property.count;
           }))
         values_.refuse(fmt::format("a vertex has no property {}; it needs x, y and z", axis));
+    if (wanted_.coordinates == MeshCoordinates::none) return;
+    for (const std::size_t axis : {0u, 1u})
+      if (std::ranges::none_of(vertex.properties, [&](const Property& property) {
+            return axis_of_coordinate(property) == axis;
+          }))
+        values_.refuse(
+            "a vertex without texture coordinates, which its material's texture needs; give it "
+            "properties u and v");
   }
 
   void read_list(const Property& property, bool is_face) {
@@ -253,14 +275,14 @@ class PlyReader {
   }
 
   Values values_;
-  MeshNormals wanted_;
+  MeshWants wanted_;
   Triangles result_;
   std::vector<std::int32_t> face_;
 };
 
 }  // namespace
 
-Triangles parse_ply(std::string_view text, MeshNormals wanted) {
+Triangles parse_ply(std::string_view text, MeshWants wanted) {
   MeshText lines(text);
   const Header header = HeaderReader(lines).header();
   if (header.encoding == Encoding::ascii)

@@ -49,14 +49,17 @@ std::vector<Fault> located(std::vector<JsonFault> faults, std::string_view text)
   return result;
 }
 
-// Of a document that is JSON; reads the meshes that it names.
+// Of a document that is JSON; reads the meshes and textures that it names.
 std::vector<JsonFault> faults_in(const JsonDocument& document, std::vector<JsonFault> faults,
-                                 const MeshReader& read_mesh, SceneMeshes& meshes) {
+                                 const SceneFiles& files, SceneMeshes& meshes,
+                                 SceneTextures& textures) {
   const Explanation explanation = explain(document, scene_schema_text);
   faults.insert(faults.end(), explanation.faults.begin(), explanation.faults.end());
   const auto more = check_scene(document, faults, explanation.meant);
   faults.insert(faults.end(), more.begin(), more.end());
-  const auto of_meshes = meshes.read(document, faults, read_mesh);
+  const auto of_textures = textures.read(document, faults, files.texture);
+  const auto of_meshes = meshes.read(document, faults, files.mesh);
+  faults.insert(faults.end(), of_textures.begin(), of_textures.end());
   faults.insert(faults.end(), of_meshes.begin(), of_meshes.end());
   return faults;
 }
@@ -105,17 +108,19 @@ SceneFileError::SceneFileError(std::string file_name, std::vector<Fault> found)
       file(std::move(file_name)),
       faults(std::move(found)) {}
 
-SceneDocument parse_scene(std::string text, std::string_view name, const MeshReader& read_mesh) {
+SceneDocument parse_scene(std::string text, std::string_view name, const SceneFiles& files) {
   const std::string file(name);
   refuse_if_large(text.size(), file);
   JsonReading reading = read_json(text);
   std::vector<JsonFault> faults = std::move(reading.faults);
   SceneMeshes meshes;
-  if (reading.document) faults = faults_in(*reading.document, std::move(faults), read_mesh, meshes);
+  SceneTextures textures;
+  if (reading.document)
+    faults = faults_in(*reading.document, std::move(faults), files, meshes, textures);
   if (!faults.empty()) throw SceneFileError(file, located(std::move(faults), text));
 
   SceneDocument result;
-  result.scene = build_description(*reading.document, text, meshes);
+  result.scene = build_description(*reading.document, text, meshes, textures);
   result.warnings = lint(result.scene);
   result.sha256 = sha256(text);
   result.text = std::move(text);
@@ -130,7 +135,7 @@ SceneDocument read_scene(std::istream& stream, std::string_view name) {
 
 SceneDocument read_scene_file(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.parent_path();
-  return parse_scene(contents_of(path), path.string(), meshes_in(folder.empty() ? "." : folder));
+  return parse_scene(contents_of(path), path.string(), files_in(folder.empty() ? "." : folder));
 }
 
 }  // namespace wander

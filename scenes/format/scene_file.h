@@ -2,8 +2,9 @@
 //
 // A text is valid when it is JSON (with // and /* */ comments), conforms to
 // schema/scene.schema.json, and holds together: references resolve, there is one sensor and a
-// light, nothing is degenerate, and the meshes that it names can be read.  Any input is safe to read: what is too large, too deep or too long
-// is refused before it costs memory, with the same kind of message.
+// light, nothing is degenerate, and the meshes and textures that it names can be read.  Any input is safe to
+// read: what is too large, too deep or too long is refused before it costs memory, with the same kind
+// of message.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +15,8 @@
 #include <vector>
 
 #include "core/description.h"
-#include "scenes/format/mesh_reader.h"
 #include "scenes/format/scene_file_fault.h"
+#include "scenes/format/scene_files.h"
 
 namespace wander {
 
@@ -36,8 +37,7 @@ class SceneFileError : public std::runtime_error {
 };
 
 // The name stands for the file in messages.  All throw SceneFileError.
-SceneDocument parse_scene(std::string text, std::string_view name,
-                          const MeshReader& read_mesh = no_mesh);
+SceneDocument parse_scene(std::string text, std::string_view name, const SceneFiles& files = {});
 SceneDocument read_scene(std::istream& stream, std::string_view name);
 SceneDocument read_scene_file(const std::filesystem::path& path);
 

@@ -30,17 +30,24 @@ Quantity quantity(const ordered_json& json) {
   return {channels, channels[0] != channels[1] || channels[1] != channels[2]};
 }
 
+Quantity reflectance(const ordered_json& material, const SceneTextures& textures) {
+  const ordered_json& json = material.at("reflectance");
+  if (!json.is_object()) return quantity(json);
+  const auto texture = textures.of(json);
+  return {texture->mean(), texture->is_coloured(), texture};
+}
+
 // One number per axis of the film.
 std::vector<int> resolution(const ordered_json& json) {
   return json.is_array() ? json.get<std::vector<int>>() : std::vector<int>{json.get<int>()};
 }
 
-MaterialKind material_kind(const ordered_json& material) {
+MaterialKind material_kind(const ordered_json& material, const SceneTextures& textures) {
   const auto type = material.at("type").get<std::string>();
   const auto number = [&](const char* key) { return material.at(key).get<double>(); };
   const double exterior_index = material.value("exterior_ior", 1.0);
-  if (type == "diffuse") return Diffuse{quantity(material.at("reflectance"))};
-  if (type == "mirror") return Mirror{quantity(material.at("reflectance"))};
+  if (type == "diffuse") return Diffuse{reflectance(material, textures)};
+  if (type == "mirror") return Mirror{reflectance(material, textures)};
   if (type == "dielectric") return Dielectric{number("ior"), exterior_index};
   if (type == "conductor")
     return Conductor{quantity(material.at("eta")), quantity(material.at("k"))};
@@ -48,7 +55,7 @@ MaterialKind material_kind(const ordered_json& material) {
     return RoughMetal{number("roughness"), quantity(material.at("eta")),
                       quantity(material.at("k"))};
   if (type == "rough_conductor")
-    return RoughConductor{number("roughness"), quantity(material.at("reflectance"))};
+    return RoughConductor{number("roughness"), reflectance(material, textures)};
   if (type == "rough_dielectric")
     return RoughDielectric{number("roughness"), number("ior"), exterior_index};
   return Black{};
@@ -133,7 +140,7 @@ ShapeKind build_shape_kind(const ordered_json& shape) {
 }
 
 description::Scene build_description(const JsonDocument& document, std::string_view text,
-                                     const SceneMeshes& meshes) {
+                                     const SceneMeshes& meshes, const SceneTextures& textures) {
   const ordered_json& root = *document.root().value;
   description::Scene scene;
   scene.name = root.value("name", "");
@@ -145,7 +152,7 @@ description::Scene build_description(const JsonDocument& document, std::string_v
   if (root.contains("materials"))
     for (const auto& [name, material] : root.at("materials").items()) {
       materials.emplace(name, scene.materials.size());
-      scene.materials.push_back({name, material_kind(material)});
+      scene.materials.push_back({name, material_kind(material, textures)});
     }
 
   Places places(text);

@@ -9,6 +9,7 @@
 #include "scenes/format/json_text.h"
 #include "scenes/format/scene_file_build.h"
 #include "scenes/format/scene_file_nearest.h"
+#include "scenes/format/scene_textures.h"
 
 namespace wander {
 
@@ -105,6 +106,12 @@ void Check::check_reference(JsonNode shape, JsonNode reference) {
                            suggestion(name, material_names_)));
     return;
   }
+  const auto kind = document_.find(shape, "type");
+  if (has_texture(document_, name) && kind &&
+      (*kind->value == "triangle" || *kind->value == "sphere"))
+    note(reference, fmt::format("\"{}\" has a texture, and a {} no texture coordinates; a texture "
+                                "lies on a parallelogram or a mesh",
+                                excerpt(name), (*kind)->get<std::string>()));
   const std::string& type = found->second;
   if (type != "dielectric" && type != "rough_dielectric") return;
   for (const char* role : {"light", "sensor"})

@@ -11,6 +11,7 @@
 #include "scenes/format/json_text.h"
 #include "scenes/format/mesh_file.h"
 #include "scenes/format/scene_file_build.h"
+#include "scenes/format/scene_textures.h"
 
 namespace wander {
 
@@ -63,9 +64,16 @@ Triangles moved(Triangles triangles, const Transform& transform) {
     normal = {n.x, n.y, n.z};
   }
   if (transform.mirrors())
-    for (auto* corners : {&triangles.corners, &triangles.normal_corners})
+    for (auto* corners :
+         {&triangles.corners, &triangles.normal_corners, &triangles.coordinate_corners})
       for (auto& three : *corners) std::swap(three[1], three[2]);
   return triangles;
+}
+
+MeshWants wants_of(const description::Mesh& mesh, JsonNode shape, const JsonDocument& document) {
+  const auto material = document.find(shape, "material");
+  const bool is_textured = material && has_texture(document, (*material)->get<std::string>());
+  return {mesh.normals, is_textured ? MeshCoordinates::of_textures : MeshCoordinates::none};
 }
 
 }  // namespace
@@ -77,7 +85,7 @@ std::vector<JsonFault> SceneMeshes::read(const JsonDocument& document,
   const auto shapes = document.find(document.root(), "shapes");
   if (!shapes || !(*shapes)->is_array() || faults.size() > json_limits.faults) return found;
   // A file may be named more than once.
-  std::map<std::pair<std::string, description::MeshNormals>, Triangles> files;
+  std::map<std::pair<std::string, MeshWants>, Triangles> files;
   for (const JsonMember& shape : document.children(*shapes)) {
     const auto file = document.find(shape.node, "file");
     const bool is_faulty = std::ranges::any_of(faults, [&](const JsonFault& fault) {
@@ -86,8 +94,8 @@ std::vector<JsonFault> SceneMeshes::read(const JsonDocument& document,
     if (!file || is_faulty || found.size() > json_limits.faults) continue;
     const auto mesh = std::get<description::Mesh>(build_shape_kind(*shape.node.value));
     try {
-      const auto name = std::pair(mesh.file, mesh.normals);
-      if (!files.contains(name)) files.emplace(name, read_file(mesh.file, mesh.normals));
+      const auto name = std::pair(mesh.file, wants_of(mesh, shape.node, document));
+      if (!files.contains(name)) files.emplace(name, read_file(mesh.file, name.second));
       const Triangles& triangles = files.at(name);
       if (mesh.normals == description::MeshNormals::smooth && triangles.normals.empty())
         found.push_back(document.fault(

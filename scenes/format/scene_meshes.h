@@ -7,7 +7,7 @@
 
 #include "core/geometry/triangles.h"
 #include "scenes/format/json_document.h"
-#include "scenes/format/mesh_reader.h"
+#include "scenes/format/scene_files.h"
 
 namespace wander {
 

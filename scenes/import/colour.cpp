@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes/format/json_text.h"
+#include "scenes/format/texture_file.h"
 #include "scenes/import/number_words.h"
 #include "scenes/import/spectrum.h"
 #include "scenes/import/texture.h"
@@ -70,10 +71,6 @@ Colour of_spectrum(const XmlElement& element, Light light, const ImportContext& 
 }
 
 }  // namespace
-
-double linear_of_srgb(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 Colour colour_of(const XmlElement& given, Light light, const ImportContext& context) {
   const XmlElement* element = context.resolved(given);

@@ -19,7 +19,4 @@ Colour colour_of(const XmlElement& element, Light light, const ImportContext& co
 // One number if it is grey.
 nlohmann::ordered_json json_of(const Colour& colour);
 
-// From 0 to 1, of a channel as files of pictures have it.
-double linear_of_srgb(double encoded);
-
 }  // namespace wander

@@ -58,21 +58,29 @@ void ImportContext::collect(const XmlElement& element) {
         objects_.emplace(child.attribute("as"), object);
 }
 
-const XmlElement* ImportContext::resolved(const XmlElement& element) const {
+const XmlElement* ImportContext::known(const XmlElement& element) const {
   if (element.tag != "ref" && element.tag != "alias") return &element;
   const auto found = objects_.find(element.attribute("id"));
-  if (found != objects_.end()) return found->second;
-  std::vector<std::string> known;
-  for (const auto& [id, object] : objects_) known.push_back(id);
+  return found == objects_.end() ? nullptr : found->second;
+}
+
+const XmlElement* ImportContext::resolved(const XmlElement& element) const {
+  if (const XmlElement* object = known(element)) return object;
+  std::vector<std::string> ids;
+  for (const auto& [id, object] : objects_) ids.push_back(id);
   diagnosis.fault(element, fmt::format("there is no object with the id \"{}\"; {}",
                                        excerpt(element.attribute("id")),
-                                       suggestion(element.attribute("id"), known)));
+                                       suggestion(element.attribute("id"), ids)));
   return nullptr;
+}
+
+std::filesystem::path ImportContext::known_file(const std::string& name) const {
+  return find_file(scene_.folders, name);
 }
 
 std::filesystem::path ImportContext::file(const XmlElement& element,
                                           const std::string& name) const {
-  const std::filesystem::path path = find_file(scene_.folders, name);
+  const std::filesystem::path path = known_file(name);
   if (path.empty())
     diagnosis.fault(element, fmt::format("there is no file {}; paths are relative to the scene",
                                          name.empty() ? "without a name" : excerpt(name)));

@@ -18,9 +18,13 @@ class ImportContext {
   // or to each other too deep, so that whoever follows references comes to an end.
   ImportContext(const XmlScene& scene, Diagnosis& diagnosis);
 
-  // What a <ref> means, and any other element itself; null, with a fault, if there is none.
+  // What a <ref> means, and any other element itself; null if there is none.
+  const XmlElement* known(const XmlElement& element) const;
+  // The same, with a fault if there is none.
   const XmlElement* resolved(const XmlElement& element) const;
-  // Empty, with a fault, if there is no such file.
+  // Empty if there is no such file.
+  std::filesystem::path known_file(const std::string& name) const;
+  // The same, with a fault.
   std::filesystem::path file(const XmlElement& element, const std::string& name) const;
 
   // Versions before 2 have other defaults.

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "scenes/format/json_text.h"
-#include "scenes/format/mesh_reader.h"
 #include "scenes/format/scene_file.h"
 #include "scenes/import/plugin.h"
 #include "scenes/import/sensor.h"
@@ -179,7 +178,7 @@ ImportedScene import_mitsuba(const ImportRequest& request) {
 
 void check_imported(const ImportedScene& scene, const std::filesystem::path& folder) {
   try {
-    parse_scene(scene.text, "scene", meshes_in(folder));
+    parse_scene(scene.text, "scene", files_in(folder));
   } catch (const SceneFileError& error) {
     std::vector<ImportFault> faults;
     for (const Fault& fault : error.faults) {

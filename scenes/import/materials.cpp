@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
 #include "scenes/format/json_text.h"
 #include "scenes/format/scene_file_nearest.h"
+#include "scenes/import/bitmap.h"
 #include "scenes/import/optical_constants.h"
 #include "scenes/import/plugin.h"
 
@@ -21,7 +24,8 @@ class BsdfReader {
  public:
   using Made = ImportedMaterials::Made;
 
-  explicit BsdfReader(const ImportContext& context) : context_(context) {}
+  BsdfReader(const ImportContext& context, MeshStore& files, MeshCoordinates coordinates)
+      : context_(context), files_(files), coordinates_(coordinates) {}
 
   Made made_of(const XmlElement& bsdf) const {
     for (const auto& [type, read] : kinds())
@@ -50,8 +54,17 @@ class BsdfReader {
   }
 
   Made diffuse(Plugin& bsdf) const {
-    return diffuse_of(bsdf.reflectance(
-        bsdf.has("diffuse_reflectance") ? "diffuse_reflectance" : "reflectance", 0.5));
+    const char* const key = bsdf.has("diffuse_reflectance") ? "diffuse_reflectance" : "reflectance";
+    const auto bitmap = coordinates_ == MeshCoordinates::none
+                            ? std::nullopt
+                            : placed_bitmap(bsdf.element(), context_);
+    if (!bitmap) return diffuse_of(bsdf.reflectance(key, 0.5));
+    bsdf.ignore({key});
+    std::ifstream stream(bitmap->path, std::ios::binary);
+    ordered_json json{{"type", "diffuse"}};
+    json["reflectance"]["texture"] = files_.add({std::istreambuf_iterator<char>(stream), {}},
+                                                bitmap->path.stem().string() + ".png");
+    return {std::move(json), Presence::here, Back::dark};
   }
 
   Made two_sided(Plugin& bsdf) const {
@@ -260,6 +273,8 @@ class BsdfReader {
   }
 
   const ImportContext& context_;
+  MeshStore& files_;
+  MeshCoordinates coordinates_;
 };
 
 const std::vector<std::pair<std::string_view, BsdfReader::Read>>& BsdfReader::kinds() {
@@ -285,9 +300,11 @@ const std::vector<std::pair<std::string_view, BsdfReader::Read>>& BsdfReader::ki
   return all;
 }
 
-ImportedMaterial ImportedMaterials::of(const XmlElement& bsdf) {
-  if (const auto known = known_.find(&bsdf); known != known_.end()) return known->second;
-  const Made made = BsdfReader(context_).made_of(bsdf);
+ImportedMaterial ImportedMaterials::of(const XmlElement& bsdf, MeshCoordinates coordinates) {
+  if (!placed_bitmap(bsdf, context_)) coordinates = MeshCoordinates::none;  // they say nothing
+  const std::pair key(&bsdf, coordinates);
+  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  const Made made = BsdfReader(context_, files_, coordinates).made_of(bsdf);
   ImportedMaterial material;
   material.presence = made.presence;
   if (!made.json.is_null() && made.presence == Presence::here) {
@@ -297,7 +314,7 @@ ImportedMaterial ImportedMaterials::of(const XmlElement& bsdf) {
     material.refracts = type == "dielectric" || type == "rough_dielectric";
     if (!(type == "diffuse" && is_black)) material.name = name_of(made.json, &bsdf);
   }
-  known_.emplace(&bsdf, material);
+  known_.emplace(key, material);
   return material;
 }
 

@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "scenes/format/mesh_file.h"
 #include "scenes/import/back_sides.h"
 #include "scenes/import/import_context.h"
+#include "scenes/import/mesh_store.h"
 
 namespace wander {
 
@@ -25,10 +27,12 @@ struct ImportedMaterial {
 
 class ImportedMaterials {
  public:
-  explicit ImportedMaterials(const ImportContext& context) : context_(context) {}
+  // Pictures are added to the files of the scene.
+  ImportedMaterials(const ImportContext& context, MeshStore& files)
+      : context_(context), files_(files) {}
 
-  // Of a <bsdf>; the same of the same element.
-  ImportedMaterial of(const XmlElement& bsdf);
+  // Of a <bsdf>, on a shape that has texture coordinates or none; the same of the same element.
+  ImportedMaterial of(const XmlElement& bsdf, MeshCoordinates coordinates);
   // What a shape without a bsdf is made of: diffuse, 0.5.
   ImportedMaterial usual();
 
@@ -51,8 +55,9 @@ class ImportedMaterials {
   std::string name_of(const nlohmann::ordered_json& json, const XmlElement* bsdf);
 
   const ImportContext& context_;
+  MeshStore& files_;
   std::vector<Entry> entries_;
-  std::map<const XmlElement*, ImportedMaterial> known_;
+  std::map<std::pair<const XmlElement*, MeshCoordinates>, ImportedMaterial> known_;
   std::set<std::string> names_;
   std::map<std::string, int> numbers_;          // the last one given to a name that several want
   std::map<std::string, std::string> unnamed_;  // JSON text -> name

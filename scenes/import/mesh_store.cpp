@@ -34,22 +34,29 @@ std::string plain(std::string name) {
   return name.size() <= longest ? name : name.substr(name.size() - longest);
 }
 
-// With a point for each pair of a point and a normal that some corner has.
+// With a point for each point, normal and place in a picture that some corner has together.
 Triangles numbered_alike(const Triangles& mesh) {
-  if (mesh.normal_corners.empty()) return mesh;
+  if (mesh.normal_corners.empty() && mesh.coordinate_corners.empty()) return mesh;
+  const auto numbers = [&](const auto& corners, std::size_t i, std::size_t k) {
+    return (corners.empty() ? mesh.corners : corners)[i][k];
+  };
   Triangles result;
-  std::map<std::pair<std::int32_t, std::int32_t>, std::int32_t> pairs;
+  std::map<std::array<std::int32_t, 3>, std::int32_t> known;
   for (std::size_t i = 0; i < mesh.corners.size(); ++i) {
     auto& corners = result.corners.emplace_back();
     for (std::size_t k = 0; k < corners.size(); ++k) {
-      const std::int32_t point = mesh.corners[i][k], normal = mesh.normal_corners[i][k];
-      const auto [pair, is_new] =
-          pairs.emplace(std::pair(point, normal), static_cast<std::int32_t>(pairs.size()));
-      corners[k] = pair->second;
+      const std::array together{mesh.corners[i][k], numbers(mesh.normal_corners, i, k),
+                                numbers(mesh.coordinate_corners, i, k)};
+      const auto [found, is_new] = known.emplace(together, static_cast<std::int32_t>(known.size()));
+      corners[k] = found->second;
       if (!is_new) continue;
+      const auto [point, normal, place] = together;
       result.points.push_back(mesh.points[static_cast<std::size_t>(point)]);
-      result.normals.push_back(normal < 0 ? std::array<double, 3>{}
-                                          : mesh.normals[static_cast<std::size_t>(normal)]);
+      if (!mesh.normals.empty())
+        result.normals.push_back(normal < 0 ? std::array<double, 3>{}
+                                            : mesh.normals[static_cast<std::size_t>(normal)]);
+      if (!mesh.coordinates.empty())
+        result.coordinates.push_back(mesh.coordinates[static_cast<std::size_t>(place)]);
     }
   }
   return result;
@@ -76,15 +83,18 @@ std::string ply_of(const Triangles& given) {
   const Triangles mesh = numbered_alike(given);
   std::string bytes = fmt::format(
       "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
-      "property double y\nproperty double z\n{}element face {}\n"
+      "property double y\nproperty double z\n{}{}element face {}\n"
       "property list uchar int vertex_indices\nend_header\n",
       mesh.points.size(),
       mesh.normals.empty() ? "" : "property double nx\nproperty double ny\nproperty double nz\n",
+      mesh.coordinates.empty() ? "" : "property double u\nproperty double v\n",
       mesh.corners.size());
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
     for (const double x : mesh.points[i]) append(bytes, x);
-    if (mesh.normals.empty()) continue;
-    for (const double x : mesh.normals[i]) append(bytes, x);
+    if (!mesh.normals.empty())
+      for (const double x : mesh.normals[i]) append(bytes, x);
+    if (!mesh.coordinates.empty())
+      for (const double x : mesh.coordinates[i]) append(bytes, x);
   }
   for (const auto& corners : mesh.corners) {
     append(bytes, static_cast<unsigned char>(corners.size()));
@@ -94,7 +104,7 @@ std::string ply_of(const Triangles& given) {
 }
 
 Triangles turned_round(Triangles mesh) {
-  for (auto* corners : {&mesh.corners, &mesh.normal_corners})
+  for (auto* corners : {&mesh.corners, &mesh.normal_corners, &mesh.coordinate_corners})
     for (auto& three : *corners) std::swap(three[1], three[2]);
   return mesh;
 }

@@ -1,4 +1,4 @@
-// The mesh files of an imported scene: each content once, in one folder beside the scene.
+// The meshes and pictures of an imported scene: each content once, in one folder beside the scene.
 #pragma once
 
 #include <map>
@@ -31,7 +31,7 @@ class MeshStore {
   std::map<std::string, int> numbers_;  // the last one given to a path that several want
 };
 
-// Binary, in double precision; with its normals, if it has any.
+// Binary, in double precision; with its normals and texture coordinates, if it has any.
 std::string ply_of(const Triangles& mesh);
 // With inside and outside exchanged.
 Triangles turned_round(Triangles mesh);

@@ -12,61 +12,20 @@
 #include "scenes/format/json_text.h"
 #include "scenes/format/mesh_file.h"
 #include "scenes/format/scene_file_nearest.h"
+#include "scenes/import/bitmap.h"
 #include "scenes/import/mesh_shading.h"
+#include "scenes/import/placing.h"
 #include "scenes/import/plugin.h"
 #include "scenes/import/unit_meshes.h"
 
 namespace wander {
 
 using nlohmann::ordered_json;
-using Matrix = glm::dmat4;
-using Vector = glm::dvec3;
+using namespace placing;
 
 namespace {
 
 constexpr std::uintmax_t largest_mesh = std::uintmax_t{2} << 30;
-
-Matrix translation(Vector v) {
-  Matrix result(1);
-  result[3] = {v, 1};
-  return result;
-}
-
-Matrix scaling(Vector v) {
-  Matrix result(1);
-  for (int axis = 0; axis < 3; ++axis) result[axis][axis] = v[axis];
-  return result;
-}
-
-Vector moved(const Matrix& matrix, Vector p) { return Vector(matrix * glm::dvec4(p, 1)); }
-
-bool mirrors(const Matrix& matrix) { return glm::determinant(glm::dmat3(matrix)) < 0; }
-
-ordered_json json_of(Vector v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }  // -0 is 0
-
-ordered_json rows_of(const Matrix& m) {
-  ordered_json rows;
-  for (int row = 0; row < 3; ++row)
-    rows.push_back({m[0][row] + 0.0, m[1][row] + 0.0, m[2][row] + 0.0, m[3][row] + 0.0});
-  return rows;
-}
-
-// As scene files do it: a mirror image is turned round.
-Triangles placed(Triangles mesh, const Matrix& matrix) {
-  for (auto& point : mesh.points) {
-    const Vector p = moved(matrix, {point[0], point[1], point[2]});
-    point = {p.x, p.y, p.z};
-  }
-  return mirrors(matrix) ? turned_round(std::move(mesh)) : mesh;
-}
-
-Triangles parallelogram(Vector origin, Vector a, Vector b) {
-  Triangles mesh;
-  for (const Vector p : {origin, origin + a, origin + a + b, origin + b})
-    mesh.points.push_back({p.x, p.y, p.z});
-  mesh.corners = {{0, 1, 2}, {0, 2, 3}};
-  return mesh;
-}
 
 }  // namespace
 
@@ -80,6 +39,7 @@ class ShapeReader {
         Plugin shape(element, shapes_.context_);
         matrix_ = shape.transform("to_world");
         turned_ = shape.flag("flip_normals", false);
+        bitmap_ = bitmap_on(element);
         shape.ignore({"silhouette_sampling_weight"});
         if (glm::determinant(glm::dmat3(matrix_)) == 0)
           diagnosis().fault(shape.where("to_world"), "the transform flattens space");
@@ -104,7 +64,16 @@ class ShapeReader {
 
   // ---- geometry: into json_, and mesh_ or surface_
 
+  std::optional<PlacedBitmap> bitmap_on(const XmlElement& shape) const {
+    for (const XmlElement& child : shape.children)
+      if (const XmlElement* object = shapes_.context_.known(child);
+          object != nullptr && object->tag == "bsdf")
+        return placed_bitmap(*object, shapes_.context_);
+    return {};
+  }
+
   void rectangle(Plugin&) {
+    if (bitmap_) return textured_rectangle();
     const Vector origin = moved(matrix_, {-1, -1, 0});
     Vector a = 2.0 * Vector(matrix_[0]), b = 2.0 * Vector(matrix_[1]);
     if (mirrors(matrix_) != turned_) std::swap(a, b);
@@ -112,6 +81,14 @@ class ShapeReader {
              {"origin", json_of(origin)},
              {"edges", {json_of(a), json_of(b)}}};
     mesh_ = parallelogram(origin, a, b);
+  }
+
+  void textured_rectangle() {
+    Triangles mesh = parallelogram({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+    for (const std::array<double, 2> uv : {std::array{0.0, 0.0}, {1, 0}, {1, 1}, {0, 1}})
+      mesh.coordinates.push_back(bitmap_->place(uv));
+    coordinates_ = MeshCoordinates::of_textures;
+    add_mesh(std::move(mesh), "rectangle");
   }
 
   void cube(Plugin&) { add_mesh(unit_cube(), "cube"); }
@@ -192,8 +169,9 @@ class ShapeReader {
 
   void file_mesh(Plugin& shape) {
     const bool flat = shape.flag("face_normals", false);
-    shape.ignore({"flip_tex_coords", "flip_uvs", "max_smooth_angle", "collapse", "shape_index",
-                  "srgb", "load_materials"});
+    upside_down_ = shape.flag("flip_tex_coords", shape.type() == "obj");
+    shape.ignore(
+        {"flip_uvs", "max_smooth_angle", "collapse", "shape_index", "srgb", "load_materials"});
     const std::string name = shape.text("filename", "");
     const XmlElement& where = shape.where("filename");
     const std::filesystem::path path = shapes_.context_.file(where, name);
@@ -216,11 +194,33 @@ class ShapeReader {
     std::string bytes, stem, type;  // of the file's name; obj or ply
   };
 
+  // With its texture coordinates, if it has them and there is a use for them.
+  Triangles parsed(const MeshBytes& file, MeshNormals normals) {
+    const auto parse = file.type == "ply" ? parse_ply : parse_obj;
+    if (bitmap_) {
+      try {
+        Triangles mesh = parse(file.bytes, {normals, MeshCoordinates::of_textures});
+        coordinates_ = MeshCoordinates::of_textures;
+        return mesh;
+      } catch (const MeshFileError&) {
+      }
+    }
+    return parse(file.bytes, normals);
+  }
+
+  // Are the coordinates in the file those that the picture has here?
+  bool are_coordinates_kept() const {
+    return coordinates_ == MeshCoordinates::none || (upside_down_ && bitmap_->to_uv == Matrix(1));
+  }
+
   // Mitsuba turns triangles, and the normals that it computes of them, round in a mirror; normals of
   // a file say where the front is.
   void copy(MeshBytes file, MeshNormals normals) {
     const bool is_ply = file.type == "ply";
-    Triangles mesh = is_ply ? parse_ply(file.bytes, normals) : parse_obj(file.bytes, normals);
+    Triangles mesh = parsed(file, normals);
+    if (!are_coordinates_kept())
+      for (auto& uv : mesh.coordinates)
+        uv = bitmap_->place({uv[0], upside_down_ ? 1 - uv[1] : uv[1]});
     const bool has_normals = !mesh.normals.empty();
     if (!has_normals && normals == MeshNormals::smooth)
       mesh = is_ply ? with_computed_normals(std::move(mesh), matrix_)
@@ -233,10 +233,12 @@ class ShapeReader {
       mesh.normal_corners.clear();
     }
     if (inwards) mesh = turned_round(std::move(mesh));
-    if (!inwards && (has_normals || mesh.normals.empty()))
+    if (!inwards && (has_normals || mesh.normals.empty()) && are_coordinates_kept())
       put(shapes_.meshes_.add(std::move(file.bytes), file.stem + "." + file.type), mesh);
     else
-      put(shapes_.meshes_.add(ply_of(mesh), file.stem + (inwards ? "_turned.ply" : "_smooth.ply")),
+      put(shapes_.meshes_.add(ply_of(mesh), file.stem + (inwards                ? "_turned.ply"
+                                                         : mesh.normals.empty() ? "_placed.ply"
+                                                                                : "_smooth.ply")),
           mesh);
   }
 
@@ -272,7 +274,7 @@ class ShapeReader {
   ImportedMaterial material_of(Plugin& shape, bool is_light) {
     const auto bsdfs = shape.objects("bsdf");
     if (bsdfs.size() > 1) diagnosis().fault(*bsdfs[1], "a shape has one bsdf; this is another");
-    if (!bsdfs.empty()) return shapes_.materials_.of(*bsdfs.front());
+    if (!bsdfs.empty()) return shapes_.materials_.of(*bsdfs.front(), coordinates_);
     return is_light ? ImportedMaterial{} : shapes_.materials_.usual();  // a bare light is black
   }
 
@@ -299,8 +301,11 @@ class ShapeReader {
   ImportedShapes& shapes_;
   Matrix matrix_{1};
   bool turned_ = false;  // flip_normals
-  ordered_json json_;    // null: nothing is imported
-  Triangles mesh_;       // in its place; of a sphere there is a surface
+  std::optional<PlacedBitmap> bitmap_;
+  MeshCoordinates coordinates_ = MeshCoordinates::none;  // that the shape has for it
+  bool upside_down_ = false;                             // flip_tex_coords
+  ordered_json json_;                                    // null: nothing is imported
+  Triangles mesh_;  // in its place; of a sphere there is a surface
   std::optional<PlacedSurface> surface_;
 };
 

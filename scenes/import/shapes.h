@@ -13,7 +13,7 @@ namespace wander {
 class ImportedShapes {
  public:
   ImportedShapes(const ImportContext& context, std::string mesh_folder)
-      : context_(context), materials_(context), meshes_(std::move(mesh_folder)) {}
+      : context_(context), meshes_(std::move(mesh_folder)), materials_(context, meshes_) {}
 
   void add(const XmlElement& shape);
   // Says which surfaces are seen from behind but are black there in Mitsuba.
@@ -29,8 +29,8 @@ class ImportedShapes {
   friend class ShapeReader;
 
   const ImportContext& context_;
-  ImportedMaterials materials_;
   MeshStore meshes_;
+  ImportedMaterials materials_;
   nlohmann::ordered_json json_ = nlohmann::ordered_json::array();
   std::vector<const XmlElement*> sources_;
   std::vector<PlacedSurface> surfaces_;

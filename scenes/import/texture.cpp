@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scenes/format/json_text.h"
+#include "scenes/format/texture_file.h"
 #include "scenes/import/plugin.h"
 
 namespace wander {

@@ -1,4 +1,4 @@
-// Textures, which have no counterpart: their mean colour stands for them.
+// Textures that have no counterpart: their mean colour stands for them.
 #pragma once
 
 #include "scenes/import/colour.h"

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "scenes/format/mesh_reader.h"
 #include "scenes/format/scene_file.h"
 #include "tests/scenes/import/import_folder.h"
 
@@ -29,7 +28,7 @@ class ImportedShapesOf : public ImportFolder {
   Triangles mesh(const std::string& type, const std::string& properties,
                  Fidelity fidelity = Fidelity::exact) const {
     const ImportedScene imported = scene(shape(type, properties), fidelity);
-    const SceneDocument read = parse_scene(imported.text, "scene", meshes_in(place_));
+    const SceneDocument read = parse_scene(imported.text, "scene", files_in(place_));
     return *std::get<description::Mesh>(read.scene.shapes[0].kind).triangles;
   }
 };
