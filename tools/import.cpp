@@ -1,4 +1,4 @@
-// `wander import`: a scene of Mitsuba as a scene file, with its meshes beside it.
+// `wander import`: a scene of Mitsuba as a scene file, with its meshes and pictures beside it.
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -143,7 +143,7 @@ FILE.xml is a scene of Mitsuba 3 or 0.6.  What cannot be said exactly is an erro
 their places; with --approximate the nearest thing is imported instead, and each is listed on stderr and in
 the "description" of the scene.  What maps to what: docs/importing.md.
 
-Meshes are copied into the folder SCENE-meshes beside SCENE.json, each content once.
+Meshes and pictures are copied into the folder SCENE-meshes beside SCENE.json, each content once.
 
 Examples:
   wander import cbox.xml -o cbox.json
