@@ -18,6 +18,14 @@ namespace wander {
 
 class Texture;
 
+// What a material reflects is what this says (texturing.h).  Surfaces of the plane have none, and take
+// no memory to say so.
+struct NoTexture {
+  constexpr NoTexture(const Texture* = nullptr) {}
+};
+template <World W>
+using SurfaceTexture = std::conditional_t<W::dimension == 3, const Texture*, NoTexture>;
+
 template <World W>
 struct Surface {
   using Real = typename W::Real;
@@ -30,7 +38,7 @@ struct Surface {
   Real radiance = 0;       // 0: no light; of colours luminance, as all values
   Real light_density = 0;  // of points, when a light is sampled; per unit of area
   [[no_unique_address]] typename W::Tint tint{};  // of its radiance
-  const Texture* texture = nullptr;  // what the material reflects is what this says (texturing.h)
+  [[no_unique_address]] SurfaceTexture<W> texture = nullptr;
 
   bool is_light() const { return radiance > 0; }
 };
