@@ -93,10 +93,23 @@ struct WideBvh<W>::Builder {
   }
 };
 
+namespace {
+
+// Boxes cost a ray little, so leaves are small; of many primitives they would take more memory than
+// the primitives, and each is entered less often.
+LeafRule leaf_rule(std::size_t primitives) {
+  constexpr std::size_t few = 4096;
+  return {
+      .small = primitives <= few ? std::size_t{1} : std::size_t{4}, .large = 8, .node_cost = 0.3};
+}
+
+}  // namespace
+
 template <World W>
 WideBvh<W>::WideBvh(std::span<const Shape<W>> shapes) : shapes_(shapes) {
-  constexpr LeafRule boxes_are_cheap{.small = 1, .large = 4, .node_cost = 0.3};
-  BoxTree<W> tree = box_tree<W>(shapes, boxes_are_cheap);
+  std::size_t count = 0;
+  for (const Shape<W>& shape : shapes) count += static_cast<std::size_t>(primitives<W>(shape));
+  BoxTree<W> tree = box_tree<W>(shapes, leaf_rule(count));
   if (!tree.elements.empty()) Builder{tree, *this}.build();
   elements_ = std::move(tree.elements);
 }
