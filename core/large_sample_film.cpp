@@ -78,15 +78,21 @@ void LargeSampleFilm::merge(const LargeSampleFilm& other) {
 FilmEstimate LargeSampleFilm::estimate(std::span<const int> shape) const {
   FilmEstimate film = estimate_of_samples(shape, samples_, techniques_,
                                           [this](std::size_t bin) { return sums_[bin]; });
+  film.by_length = by_length(shape);
+  return film;
+}
+
+std::map<int, std::vector<double>> LargeSampleFilm::by_length(std::span<const int> shape) const {
+  std::map<int, std::vector<double>> films;
   const double scale = samples_ > 0 ? static_cast<double>(sums_.size()) / channels_of(shape) /
                                           static_cast<double>(samples_)
                                     : 0;
   for (std::size_t k = 0; k < lengths_.size(); ++k) {
     if (lengths_[k].empty()) continue;
-    auto& values = film.by_length[static_cast<int>(k) + 2] = lengths_[k];
+    auto& values = films[static_cast<int>(k) + 2] = lengths_[k];
     for (double& value : values) value *= scale;
   }
-  return film;
+  return films;
 }
 
 }  // namespace wander

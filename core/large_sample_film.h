@@ -73,7 +73,10 @@ class LargeSampleFilm {
   void merge(const LargeSampleFilm& other);
 
   std::uint64_t samples() const { return samples_; }
+  BinSums sums(std::size_t bin) const { return sums_[bin]; }
   FilmEstimate estimate(std::span<const int> shape) const;
+  // Films of paths of each length.
+  std::map<int, std::vector<double>> by_length(std::span<const int> shape) const;
 
   template <class Archive>
   void serialize(Archive& archive) {

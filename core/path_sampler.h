@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "core/random_place.h"
@@ -29,6 +30,9 @@ class PathSampler {
     light_.resize(longest_);
     sensor_.resize(longest_);
   }
+
+  // Segments of subpaths and connections that were tried, of all samples: what they cost.
+  std::uint64_t rays() const { return rays_; }
 
   // Calls sink(path, s, w f / p) for every path of one pair of subpaths that contributes.  The sum
   // over a sample has the expectation b = ∫ f.
@@ -58,6 +62,7 @@ class PathSampler {
       seek(random, {subpath, count});
       const double q = space_.survival(x[i]);
       if (q < 1 && !(random.uniform() < q)) break;
+      ++rays_;
       if (!space_.extend(x, i, toward, random)) break;
       space_.evaluate(x, i);
       if (!(x[i].value > 0)) break;
@@ -120,6 +125,7 @@ class PathSampler {
       seek(random, {Subpath::sensor_end, s});
       space_.begin_sensor(joined_, s, random);
     }
+    ++rays_;
     if (space_.connect(joined_, s - 1) != Connection::open) return;
     joined_.copy(light_, 0, s - 1, 0);
     joined_.copy(sensor_, sensor_index(t - 1), t - 1, s + 1);
@@ -139,6 +145,7 @@ class PathSampler {
   int longest_;
   Path<W> light_, sensor_, joined_;
   int light_count_ = 0, sensor_count_ = 0;
+  std::uint64_t rays_ = 0;
 };
 
 }  // namespace wander

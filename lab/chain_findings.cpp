@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lab/film_mean.h"
+#include "mlt/run/large_pooled_film.h"
 #include "mlt/run/normalized_film.h"
 #include "mlt/run/warnings.h"
 
@@ -28,8 +29,12 @@ ChainFindings::ChainFindings(std::string method, std::vector<int> shape, Mutatio
 void ChainFindings::keep() {
   for (std::size_t g = kept_.size(); g < groups_.size(); ++g)
     groups_[g] = kept_.emplace_back(groups_[g]).found();
-  for (std::size_t p = kept_films_.size(); p < parts_.size() && parts_[p].shared; ++p)
-    parts_[p].shared->films = &kept_films_.emplace_back(*parts_[p].shared->films);
+  for (std::size_t p = kept_films_.size(); p < parts_.size() && parts_[p].shared; ++p) {
+    SharedLight& light = *parts_[p].shared;
+    light.films = &kept_films_.emplace_back(*light.films);
+    if (light.samples) light.samples = &kept_samples_.emplace_back(*light.samples);
+    if (light.total) light.total = &kept_totals_.emplace_back(*light.total);
+  }
 }
 
 Rendering ChainFindings::rendering() const {
@@ -48,7 +53,8 @@ Rendering ChainFindings::rendering() const {
 // ---- groups of different sizes
 
 double ChainFindings::Part::size() const {
-  return 1 / (1 / static_cast<double>(steps) + settings.seed_share / static_cast<double>(seeds));
+  const double share = settings.seed_share.value_or(ChainSettings::usual_seed_share);
+  return 1 / (1 / static_cast<double>(steps) + share / static_cast<double>(seeds));
 }
 
 // In units of those of the first part, so that groups of one size weigh 1.
@@ -89,15 +95,29 @@ FilmEstimate ChainFindings::unbiased(const Part& part) const {
   return part.shared ? mean_film(*part.shared, shape_) : part.unbiased.estimate();
 }
 
-FilmEstimate ChainFindings::film_scaled_to(const Constant& b,
-                                           std::span<const GroupFindings> groups) const {
-  if (!parts_.front().shared) return normalized_film(groups, b, shape_);
+std::vector<SharedLight> ChainFindings::shared_light() const {
   std::vector<SharedLight> runs;
   for (const Part& part : parts_) {
     runs.push_back(*part.shared);
     runs.back().weight = relative_size(part);
   }
-  return normalized_film(runs, b, shape_);
+  return runs;
+}
+
+FilmEstimate ChainFindings::chains_film(NormalizationMethod method, const Constant& b,
+                                        std::span<const GroupFindings> groups) const {
+  if (is_pooled() && is_large()) return total_film(shared_light(), b, shape_);
+  if (method == NormalizationMethod::seed_pass) return unbiased();
+  return is_large() ? normalized_film(shared_light(), b, shape_)
+                    : normalized_film(groups, b, shape_);
+}
+
+PooledFilm ChainFindings::pooled_film(const Constant& b,
+                                      std::span<const GroupFindings> groups) const {
+  if (is_large()) return wander::pooled_film(shared_light(), groups, b, shape_);
+  std::vector<int> groups_of_runs;
+  for (const Part& part : parts_) groups_of_runs.push_back(part.settings.groups);
+  return wander::pooled_film(groups, groups_of_runs, b, shape_);
 }
 
 void ChainFindings::normalize(Rendering& r) const {
@@ -106,8 +126,15 @@ void ChainFindings::normalize(Rendering& r) const {
   const Constants b = constants(groups);
   const NormalizationMethod method = b.usable(wanted);
   r.normalization = normalization(groups, b, wanted);
-  r.film =
-      method == NormalizationMethod::seed_pass ? unbiased() : film_scaled_to(b[method], groups);
+  if (is_pooled()) {
+    PooledFilm pooled = pooled_film(b[method], groups);
+    r.film = std::move(pooled.film);
+    r.pooling = {groups.front().parts->partition().c, tally_of(groups).samples,
+                 pooled.light_of_samples};
+    r.chains_film = chains_film(method, b[method], groups);
+  } else {
+    r.film = chains_film(method, b[method], groups);
+  }
   if (b[method].effective_samples < fewest_effective_samples)
     r.film.reliable.assign(r.film.reliable.size(), false);
   if (method != wanted)

@@ -18,6 +18,7 @@
 #include "mlt/run/group_findings.h"
 #include "mlt/run/large_film.h"
 #include "mlt/run/normalization.h"
+#include "mlt/run/pooled_film.h"
 #include "mlt/watch/functionals.h"
 #include "mlt/watch/statistics.h"
 
@@ -63,7 +64,12 @@ class ChainFindings final : public Findings {
   std::vector<GroupFindings> weighed_groups() const;
   FilmEstimate unbiased() const;
   FilmEstimate unbiased(const Part& part) const;
-  FilmEstimate film_scaled_to(const Constant& b, std::span<const GroupFindings> groups) const;
+  bool is_pooled() const { return groups_.front().parts != nullptr; }
+  bool is_large() const { return parts_.front().shared.has_value(); }
+  std::vector<SharedLight> shared_light() const;
+  FilmEstimate chains_film(NormalizationMethod method, const Constant& b,
+                           std::span<const GroupFindings> groups) const;
+  PooledFilm pooled_film(const Constant& b, std::span<const GroupFindings> groups) const;
   double relative_size(const Part& part) const;
   void normalize(Rendering& r) const;
   void judge(Rendering& r) const;
@@ -76,6 +82,8 @@ class ChainFindings final : public Findings {
   std::vector<GroupFindings> groups_;  // of all parts, in their order
   std::deque<KeptFindings> kept_;      // what the first of them refer to
   std::deque<SharedFilms> kept_films_;
+  std::deque<LargeSampleFilm> kept_samples_;
+  std::deque<TotalFilm> kept_totals_;
 };
 
 }  // namespace wander

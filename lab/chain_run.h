@@ -8,9 +8,11 @@
 #include <array>
 #include <cereal/archives/binary.hpp>
 #include <cereal/types/array.hpp>
+#include <cereal/types/optional.hpp>
 #include <cereal/types/vector.hpp>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "lab/chain_findings.h"
 #include "lab/live_run.h"
@@ -30,7 +32,11 @@ class ChainRun final : public LiveRun {
   template <class Kernel>
   ChainRun(const char* method, const Space& space, const Kernel& kernel, const Run& run,
            const ChainSettings& settings)
-      : method_(method), space_(space), run_(run), settings_(settings) {
+      : method_(method),
+        space_(space),
+        run_(run),
+        settings_(settings),
+        seed_share_(settings.seed_share.value_or(ChainSettings::usual_seed_share)) {
     make_ = [&space, kernel, &run](const ChainSettings& of) {
       return std::make_unique<ChainGroups<Space, Chains>>(space, kernel, run, of);
     };
@@ -39,6 +45,20 @@ class ChainRun final : public LiveRun {
 
   bool takes_seeds() const override { return !groups_->is_started(); }
   ChainSettings settings() const override { return settings_; }
+  void prepare() override {
+    if (is_prepared()) return;
+    Pilot pilot;
+    for (std::uint64_t count = pilot_samples; count <= most_pilot_samples; count *= 2) {
+      pilot = groups_->pilot(count / groups_->count() + 1);
+      if (is_telling(pilot)) break;
+    }
+    if (run_.is_interrupted()) return;
+    pooling_ = settings_.seed_share ? pooling(pilot, *settings_.seed_share) : best_pooling(pilot);
+    // Where samples go on beside the chains, seeds need no more than the fewest.
+    if (!settings_.seed_share && is_telling(pilot)) seed_share_ = 0;
+    groups_->pool(*pooling_);
+  }
+  double seed_share() const override { return seed_share_; }
   SeedPass seeds() const override {
     const SeedTally tally = groups_->tally();
     SeedPass pass{groups_->count(), tally.samples, tally.total.value() > 0};
@@ -47,7 +67,10 @@ class ChainRun final : public LiveRun {
     pass.relative_error = b.standard_error / b.value;
     return pass;
   }
-  void seed(std::uint64_t of_each) override { groups_->add_seeds(of_each); }
+  void seed(std::uint64_t of_each) override {
+    prepare();
+    if (is_prepared()) groups_->add_seeds(of_each);
+  }
   void start(int chains) override {
     const SeedTally tally = groups_->tally();
     if (!(tally.total.value() > 0)) throw NoLightFound(tally.samples);
@@ -60,8 +83,9 @@ class ChainRun final : public LiveRun {
   std::uint64_t stride() const override { return steps_per_round * groups_->active(); }
   std::uint64_t first_look() const override { return 1 << 17; }
 
-  // With the constants of the seed pass.
+  // Of the chains alone, with the constants of the seed pass.
   FilmEstimate preview() const override {
+    if (pooling_) return findings().film;
     if (const auto shared = groups_->shared_light()) return mean_film(*shared, shape());
     GroupsFilm film(shape());
     MutationStatistics statistics = no_statistics();
@@ -86,15 +110,17 @@ class ChainRun final : public LiveRun {
 
   void save(cereal::BinaryOutputArchive& archive) const override {
     const bool is_started = groups_->is_started();
-    archive(settings_.groups, chains_made_, settings_.chains_per_group, is_started);
+    archive(settings_.groups, chains_made_, settings_.chains_per_group, is_started, pooling_,
+            seed_share_);
     groups_->serialize_seeds(archive);
     if (is_started) groups_->serialize_chains(archive);
   }
   void load(cereal::BinaryInputArchive& archive) override {
     int groups = 0, made = 0, chains = 0;
     bool is_started = false;
-    archive(groups, made, chains, is_started);
+    archive(groups, made, chains, is_started, pooling_, seed_share_);
     make_groups(groups, made);
+    if (pooling_) groups_->pool(*pooling_);
     settings_.chains_per_group = chains;
     groups_->serialize_seeds(archive);
     if (!is_started) return;
@@ -104,7 +130,10 @@ class ChainRun final : public LiveRun {
 
  private:
   static constexpr std::uint64_t steps_per_round = 1024;  // of each group
+  // Of the pilot, as many as it takes to tell.
+  static constexpr std::uint64_t pilot_samples = 1 << 13, most_pilot_samples = 1 << 15;
 
+  bool is_prepared() const { return settings_.film_parts == FilmParts::chains || pooling_; }
   std::vector<int> shape() const { return space_.scene().film_shape(); }
   MutationStatistics no_statistics() const {
     return {Chains::move_names(), settings_.film.maps_of(space_.scene().resolution()),
@@ -120,8 +149,10 @@ class ChainRun final : public LiveRun {
   const char* method_;
   const Space& space_;
   const Run& run_;
-  ChainSettings settings_;  // chains_per_group: those that run
-  int chains_made_ = 0;     // of each group, whether they run or not
+  ChainSettings settings_;          // chains_per_group: those that run
+  int chains_made_ = 0;             // of each group, whether they run or not
+  double seed_share_;               // of the seed pass before the chains
+  std::optional<Pooling> pooling_;  // once the pilot has run
   std::function<std::unique_ptr<ChainGroups<Space, Chains>>(const ChainSettings&)> make_;
   std::unique_ptr<ChainGroups<Space, Chains>> groups_;
 };

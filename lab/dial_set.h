@@ -11,6 +11,7 @@ enum class DialId {
   max_vertices,
   chains,
   seed_share,
+  film,
   normalization,
   precision,
   large_step,

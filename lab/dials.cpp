@@ -23,8 +23,9 @@ std::string chains_help() {
 std::string seed_share_help() {
   return fmt::format(
       "length of the seed pass: samples for each mutation of a sample budget, seconds for each "
-      "second of the chains in a time budget (default: {})",
-      ChainSettings{}.seed_share);
+      "second of the chains in a time budget (default: few, and then as many beside the chains as "
+      "earn more than steps do; with --film chains, {})",
+      ChainSettings::usual_seed_share);
 }
 int parse_chains(std::string_view text) {
   constexpr int groups = ChainSettings{}.groups;
@@ -76,6 +77,10 @@ const std::vector<Dial>& table() {
        [](Dials& dials, std::string_view text) {
          dials.chains.seed_share = parse_positive("--seed-share", text, 1e4);
        }},
+      {DialId::film, "film", "PARTS",
+       "pooled (default: the film of the seed pass and the chains together) or chains (of the "
+       "chains alone)",
+       [](Dials& dials, std::string_view text) { dials.chains.film_parts = parse_film(text); }},
       {DialId::normalization, "normalization", "RULE",
        "where b comes from: bridge (default: bridge sampling of the seed pass and the chains), "
        "least-squares (their films) or seed (the mean of the seed pass)",

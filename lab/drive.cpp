@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cereal/archives/binary.hpp>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <streambuf>
@@ -61,16 +62,15 @@ class Drive {
   // ---- the seed pass; false if it was interrupted
 
   bool seed_pass() {
+    run_.prepare();
     if (const auto* error = std::get_if<ErrorBudget>(&budget_))
       seeds_to_error(share_of_error * error->relative);
     else if (const auto* time = std::get_if<TimeBudget>(&budget_))
-      seeds_until(share_of_seeds() / (1 + share_of_seeds()) * time->seconds, time->seconds);
+      seeds_until(time->seconds);
     else
       seeds_for(std::get<SampleBudget>(budget_).samples);
     return !execution_.is_interrupted();
   }
-  double share_of_seeds() const { return run_.settings().seed_share; }
-
   // Of each slice, which all have the same number.  `fraction` of the budget is done after so many.
   template <class Fraction>
   void seeds_to(std::uint64_t goal, Fraction&& fraction) {
@@ -82,7 +82,7 @@ class Drive {
     }
   }
   void seeds_for(std::uint64_t steps) {
-    const double share = share_of_seeds() * static_cast<double>(steps);
+    const double share = run_.seed_share() * static_cast<double>(steps);
     const std::uint64_t goal =
         std::max(run_.settings().fewest_seeds, static_cast<std::uint64_t>(share)) /
         run_.seeds().slices;
@@ -104,16 +104,21 @@ class Drive {
           now.of_each() + (next_look(now.samples, error, target) - now.samples) / now.slices + 1;
     }
   }
-  void seeds_until(double seconds, double of_all) {
+  // Where the share is nothing, for the fewest seeds and no more than the usual time.
+  void seeds_until(double seconds) {
     const std::uint64_t slices = run_.seeds().slices;
-    Pace pace(execution_.spent(), seconds, seeds_per_round * slices);
+    const double asked_for = run_.seed_share();
+    const double share = asked_for > 0 ? asked_for : ChainSettings::usual_seed_share;
+    const std::uint64_t most =
+        asked_for > 0 ? std::numeric_limits<std::uint64_t>::max() : run_.settings().fewest_seeds;
+    Pace pace(execution_.spent(), share / (1 + share) * seconds, seeds_per_round * slices);
     std::uint64_t done = run_.seeds().samples;
-    for (double now = execution_.spent(); done == 0 || !pace.is_over(now);
+    for (double now = execution_.spent(); done == 0 || (done < most && !pace.is_over(now));
          now = execution_.spent()) {
-      const std::uint64_t count = pace.next(now, done) / slices + 1;
+      const std::uint64_t count = std::min(pace.next(now, done), most - done) / slices + 1;
       run_.seed(count);
       done += count * slices;
-      report(now / of_all, done, "seed pass");
+      report(now / seconds, done, "seed pass");
       if (execution_.is_interrupted()) return;
       keep_if_due();
     }

@@ -34,6 +34,10 @@ class LiveRun {
   // Independent samples have no seed pass: these are for chains, until start().
   virtual bool takes_seeds() const { return false; }
   virtual ChainSettings settings() const { return {}; }
+  // Before the first sample: decides what the pilot of a run decides.
+  virtual void prepare() {}
+  // Of the seed pass, as --seed-share says, or as it was decided.
+  virtual double seed_share() const { return 0; }
   virtual SeedPass seeds() const { return {}; }
   virtual void seed(std::uint64_t /*of each slice*/) {}
   // Ends the seed pass; throws NoLightFound.

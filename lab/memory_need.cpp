@@ -68,6 +68,18 @@ void need_of_samples(MemoryNeed& need, const Size& size, int threads) {
   need.end = result_of(size);
 }
 
+// The chains' part and the samples' beside all of the chains; and their film alone.
+void need_of_pooling(MemoryNeed& need, const Size& size, double groups) {
+  if (size.is_large) {
+    need.films += groups * size.cells * of_sum;
+    need.films += size.bins * (sizeof(BinSums) + size.lengths * of_double + sizeof(std::int64_t));
+    need.end += size.bins * of_double;
+  } else {
+    need.films += 2 * groups * size.cells * (1 + size.lengths) * of_sum;
+    need.end += result_of(size);
+  }
+}
+
 void need_of_chains(MemoryNeed& need, const Size& size, const Job& job) {
   const ChainSettings& settings = job.dials().chains;
   const double groups = settings.groups;
@@ -81,6 +93,7 @@ void need_of_chains(MemoryNeed& need, const Size& size, const Job& job) {
     need.films += groups * size.cells * size.lengths * of_sum;
     need.end = result_of(size) + groups * size.bins * 3 * of_double;
   }
+  if (settings.film_parts == FilmParts::pooled) need_of_pooling(need, size, groups);
   // Paths with all that is known of their vertices; splats of a sample, one for each technique.
   const double n = size.max_vertices;
   constexpr double of_vertex = 1024, of_splat = 128, of_start = 4096;

@@ -199,6 +199,12 @@ NormalizationMethod parse_normalization(std::string_view text) {
   return static_cast<NormalizationMethod>(found - normalization_words.begin());
 }
 
+FilmParts parse_film(std::string_view text) {
+  const auto found = std::find(film_words.begin(), film_words.end(), text);
+  if (found == film_words.end()) throw UsageError(unknown_word("film", text, film_words));
+  return static_cast<FilmParts>(found - film_words.begin());
+}
+
 double parse_positive(std::string_view what, std::string_view text, double most) {
   const auto number = number_in<double>(text);
   if (!number || !(*number > 0) || *number > most)

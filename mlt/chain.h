@@ -80,14 +80,13 @@ class Chain {
         outcome = Failure{flaw};
       } else {
         a = acceptance(current_.contribution, p->forward, proposed_.contribution, p->reverse);
+        if (a > 0) weigh(*space_, proposed_);  // for the state, and for what it deposits
         if (random.uniform() < a) reason = Reason::none;
       }
     }
     if (const Failure* failure = std::get_if<Failure>(&outcome)) reason = failure->reason;
     observe(Step<W>{current_, proposed_, mutation, outcome, a, reason});
-    if (reason != Reason::none) return;
-    weigh(*space_, proposed_);
-    std::swap(current_, proposed_);
+    if (reason == Reason::none) std::swap(current_, proposed_);
   }
 
  private:

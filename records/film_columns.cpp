@@ -19,31 +19,43 @@ ordered_json FilmColumns::read(const std::filesystem::path& path) {
 
 bool FilmColumns::stays(int depth, ordered_json::parse_event_t event, const ordered_json& parsed) {
   using enum ordered_json::parse_event_t;
+  const auto level = static_cast<std::size_t>(depth);
   if (event == key) {
-    if (depth == 1) part_ = parsed.get<std::string>();
-    list_ = depth == 2 ? parsed.get<std::string>() : std::string();
+    place_.resize(level);
+    place_.back() = parsed.get<std::string>();
   }
-  if (event != value || depth != 3 || part_ != "film") return true;
-  const bool is_number = parsed.is_number() || parsed.is_null();
-  const auto number = [&] { return parsed.is_null() ? not_known : parsed.get<double>(); };
-  if (list_ == "value" && is_number)
-    value_.push_back(number());
-  else if (list_ == "standard_error" && is_number)
-    standard_error_.push_back(number());
-  else if (list_ == "reliable" && parsed.is_boolean())
-    reliable_.push_back(parsed.get<bool>());
-  else
+  // At the level of a list's elements there are as many keys as lists they are in.
+  if (event != value || place_.empty() || place_.front() != "film" || level != place_.size() + 1)
     return true;
-  return false;
+  if (place_.size() == 2) return !take(film_, place_.back(), parsed);
+  return place_.size() != 3 || place_[1] != "chains" || !take(chains_, place_.back(), parsed);
 }
 
-void FilmColumns::move_to(FilmEstimate& film) {
-  if (standard_error_.size() != value_.size() || reliable_.size() != value_.size() ||
-      !film.value.empty())
+bool FilmColumns::take(Lists& lists, const std::string& name, const ordered_json& parsed) {
+  const bool is_number = parsed.is_number() || parsed.is_null();
+  const auto number = [&] { return parsed.is_null() ? not_known : parsed.get<double>(); };
+  if (name == "value" && is_number)
+    lists.value.push_back(number());
+  else if (name == "standard_error" && is_number)
+    lists.standard_error.push_back(number());
+  else if (name == "reliable" && parsed.is_boolean())
+    lists.reliable.push_back(parsed.get<bool>());
+  else
+    return false;
+  return true;
+}
+
+void FilmColumns::move_to(Rendering& rendering) {
+  FilmEstimate& film = rendering.film;
+  if (film_.standard_error.size() != film_.value.size() ||
+      film_.reliable.size() != film_.value.size() || !film.value.empty())
     throw std::runtime_error("the film's lists differ in length");
-  film.value = std::move(value_);
-  film.standard_error = std::move(standard_error_);
-  film.reliable = std::move(reliable_);
+  film.value = std::move(film_.value);
+  film.standard_error = std::move(film_.standard_error);
+  film.reliable = std::move(film_.reliable);
+  if (!rendering.chains_film) return;
+  rendering.chains_film->value = std::move(chains_.value);
+  rendering.chains_film->standard_error = std::move(chains_.standard_error);
 }
 
 }  // namespace wander

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/film_estimate.h"
+#include "records/rendering.h"
 
 namespace wander {
 
@@ -15,17 +15,22 @@ class FilmColumns {
  public:
   // The document, in which the lists are empty; discarded if it is none.
   nlohmann::ordered_json read(const std::filesystem::path& path);
-  // Into a film that has none.  Throws std::runtime_error if they differ in length.
-  void move_to(FilmEstimate& film);
+  // Into films that have none.  Throws std::runtime_error if they differ in length.
+  void move_to(Rendering& rendering);
 
  private:
   // False if it was taken out.
   bool stays(int depth, nlohmann::ordered_json::parse_event_t event,
              const nlohmann::ordered_json& parsed);
 
-  std::string part_, list_;  // the member of the document, and its member, that are being read
-  std::vector<double> value_, standard_error_;
-  std::vector<bool> reliable_;
+  struct Lists {
+    std::vector<double> value{}, standard_error{};
+    std::vector<bool> reliable{};
+  };
+  static bool take(Lists& lists, const std::string& name, const nlohmann::ordered_json& parsed);
+
+  std::vector<std::string> place_;  // the keys on the way to what is being read
+  Lists film_, chains_;
 };
 
 }  // namespace wander

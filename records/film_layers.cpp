@@ -21,7 +21,8 @@ namespace {
 constexpr std::array<std::string_view, 1> grey{"Y"};
 constexpr std::array<std::string_view, 3> colour{"R", "G", "B"};
 constexpr std::string_view acceptance = "acceptance.", proposed = "proposed.",
-                           vertices = "vertices_";
+                           vertices = "vertices_", chains = "chains",
+                           chains_error = "chains.standard_error";
 
 void require_fit(std::string_view name, std::size_t size, std::size_t expected) {
   if (size != expected) throw std::logic_error(fmt::format("layer {} does not fit the film", name));
@@ -115,6 +116,10 @@ std::vector<FilmLayer> layers_of(const Rendering& rendering) {
   add("reliable", film.reliable);
   for (const auto& [length, values] : film.by_length)
     add(fmt::format("{}{}", vertices, length), values);
+  if (rendering.chains_film) {
+    add(std::string(chains), rendering.chains_film->value);
+    add(std::string(chains_error), rendering.chains_film->standard_error);
+  }
   const MutationMaps maps(film);
   for (const MutationRecord& mutation : rendering.mutations) {
     if (!mutation.acceptance_per_bin.empty())
@@ -145,6 +150,13 @@ std::vector<FilmLayerSlot> slots_of(Rendering& rendering, const std::set<std::st
                    [&film](std::size_t i, double flag) { film.reliable[i] = flag != 0; }});
   for (const std::string& name : names)
     if (const auto length = length_in(name)) add(name, film.by_length[*length]);
+  if (names.contains(std::string(chains))) {
+    FilmEstimate& alone = rendering.chains_film.emplace();
+    alone.shape = film.shape;
+    add(std::string(chains), alone.value);
+    if (names.contains(std::string(chains_error)))
+      add(std::string(chains_error), alone.standard_error);
+  }
   for (const std::string& name : names)
     if (const auto mutation = after(acceptance, name)) {
       if (!names.contains(std::string(proposed) + *mutation))

@@ -21,6 +21,13 @@ struct MergedRun {
   bool complete = true;
 };
 
+// How a film was pooled of samples and chains (mlt/run/partition.h).
+struct PoolingRecord {
+  double border = 0;            // c, in the unit of b; of several runs, of the first
+  std::uint64_t samples = 0;    // of the seed pass and beside the chains
+  double light_of_samples = 0;  // the share of the light that they carry
+};
+
 struct Rendering {
   bool complete = true;
   std::string method{};
@@ -34,6 +41,9 @@ struct Rendering {
   double seed_seconds = 0;       // wall time until the end of the seed pass
   std::string precision = "double";
   FilmEstimate film;
+  std::optional<PoolingRecord> pooling{};  // if the film is pooled
+  std::optional<FilmEstimate>
+      chains_film{};  // then: of the chains alone; of a large one, no errors
   std::optional<Normalization> normalization{};
   int chains = 0, groups = 0;                   // Markov chain methods only
   std::optional<ChainsRecord> chains_record{};  // Markov chain methods only

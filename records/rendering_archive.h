@@ -22,6 +22,11 @@ void serialize(Archive& archive, FilmEstimate& film) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, PoolingRecord& pooling) {
+  archive(pooling.border, pooling.samples, pooling.light_of_samples);
+}
+
+template <class Archive>
 void serialize(Archive& archive, NormalizationEstimate& estimate) {
   archive(estimate.value, estimate.standard_error, estimate.samples, estimate.degrees_of_freedom,
           estimate.failure);
@@ -61,8 +66,8 @@ void serialize(Archive& archive, ChainsRecord& chains) {
 template <class Archive>
 void serialize(Archive& archive, Rendering& r) {
   archive(r.complete, r.method, r.samples, r.seed, r.threads, r.seconds, r.processor_seconds,
-          r.seed_seconds, r.precision, r.film, r.normalization, r.chains, r.groups, r.chains_record,
-          r.mutations, r.warnings);
+          r.seed_seconds, r.precision, r.film, r.pooling, r.chains_film, r.normalization, r.chains,
+          r.groups, r.chains_record, r.mutations, r.warnings);
 }
 
 template <class Value>

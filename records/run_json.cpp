@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/film_statistics.h"
 #include "records/exr.h"
 #include "records/film_columns.h"
 #include "records/film_netcdf.h"
@@ -45,6 +46,23 @@ ordered_json json_of(const FilmEstimate& film, int dimension) {
   }
   json["degrees_of_freedom"] = json_of(film.degrees_of_freedom);
   return json;
+}
+
+// Of the chains alone; a large film has no errors, and an image is in film.nc.
+ordered_json chains_of_film(const Rendering& rendering, int dimension) {
+  const FilmEstimate& film = *rendering.chains_film;
+  ordered_json json{{"mean", json_of(mean_value(film))}};
+  if (!film.standard_error.empty()) json["relative_error"] = json_of(relative_error(film));
+  if (!holds_bins(dimension)) return json;
+  json["value"] = json_of(film.value);
+  if (!film.standard_error.empty()) json["standard_error"] = json_of(film.standard_error);
+  return json;
+}
+
+ordered_json json_of(const PoolingRecord& pooling) {
+  return {{"border", json_of(pooling.border)},
+          {"samples", pooling.samples},
+          {"light_of_samples", json_of(pooling.light_of_samples)}};
 }
 
 ordered_json json_of(const Normalization& normalization) {
@@ -146,6 +164,7 @@ void add_image(Rendering& run, Rendering&& image, const std::filesystem::path& p
         "{}: it is not of the run of the run.json beside it; compute the run anew, or carry it on",
         path.string()));
   run.film = std::move(image.film);
+  run.chains_film = std::move(image.chains_film);
   for (MutationRecord& mutation : run.mutations)
     for (MutationRecord& maps : image.mutations)
       if (maps.name == mutation.name) {
@@ -165,7 +184,10 @@ bool is_exr(const std::filesystem::path& path) {
 }  // namespace
 
 ordered_json to_json(const RunRecord& run) {
-  return to_json(run, json_of(run.rendering.film, run.provenance.dimension));
+  const int dimension = run.provenance.dimension;
+  ordered_json film = json_of(run.rendering.film, dimension);
+  if (run.rendering.chains_film) film["chains"] = chains_of_film(run.rendering, dimension);
+  return to_json(run, std::move(film));
 }
 
 ordered_json to_json(const RunRecord& run, ordered_json film) {
@@ -188,6 +210,7 @@ ordered_json to_json(const RunRecord& run, ordered_json film) {
   json["seed_seconds"] = json_of(rendering.seed_seconds);
   json["precision"] = rendering.precision;
   json["film"] = std::move(film);
+  if (rendering.pooling) json["pooling"] = json_of(*rendering.pooling);
   if (rendering.normalization) json["normalization"] = json_of(*rendering.normalization);
   if (rendering.chains > 0) json["chains"] = chains_of(rendering);
   if (!rendering.mutations.empty()) json["mutations"] = json_of(rendering.mutations);
@@ -207,8 +230,44 @@ ordered_json to_json(const Origin& origin) {
   return json;
 }
 
-void write_json(const RunRecord& run, int indent, const ByteSink& file) {
+namespace {
+
+void write_numbers(const char* name, const std::vector<double>& numbers, JsonText& text) {
+  text.key(name).array(numbers.size(), [&](auto i) { return json_of(numbers[i]); });
+}
+
+void write_chains_of_film(const RunRecord& run, JsonText& text) {
+  const FilmEstimate& alone = *run.rendering.chains_film;
+  text.key("chains").open_object();
+  text.key("mean").value(json_of(mean_value(alone)));
+  if (!alone.standard_error.empty())
+    text.key("relative_error").value(json_of(relative_error(alone)));
+  if (holds_bins(run.provenance.dimension)) {
+    write_numbers("value", alone.value, text);
+    if (!alone.standard_error.empty()) write_numbers("standard_error", alone.standard_error, text);
+  }
+  text.close_object();
+}
+
+void write_film(const RunRecord& run, JsonText& text) {
   const FilmEstimate& film = run.rendering.film;
+  text.open_object();
+  text.key("shape").value(film.shape);
+  if (holds_bins(run.provenance.dimension)) {
+    write_numbers("value", film.value, text);
+    write_numbers("standard_error", film.standard_error, text);
+    text.key("reliable").array(film.reliable.size(), [&](auto i) {
+      return ordered_json(bool(film.reliable[i]));
+    });
+  }
+  text.key("degrees_of_freedom").value(json_of(film.degrees_of_freedom));
+  if (run.rendering.chains_film) write_chains_of_film(run, text);
+  text.close_object();
+}
+
+}  // namespace
+
+void write_json(const RunRecord& run, int indent, const ByteSink& file) {
   JsonText text(indent, file);
   text.open_object();
   const ordered_json whole = to_json(run, {});
@@ -218,19 +277,7 @@ void write_json(const RunRecord& run, int indent, const ByteSink& file) {
       text.value(value);
       continue;
     }
-    text.open_object();
-    text.key("shape").value(film.shape);
-    if (holds_bins(run.provenance.dimension)) {
-      text.key("value").array(film.value.size(), [&](auto i) { return json_of(film.value[i]); });
-      text.key("standard_error").array(film.standard_error.size(), [&](auto i) {
-        return json_of(film.standard_error[i]);
-      });
-      text.key("reliable").array(film.reliable.size(), [&](auto i) {
-        return ordered_json(bool(film.reliable[i]));
-      });
-    }
-    text.key("degrees_of_freedom").value(json_of(film.degrees_of_freedom));
-    text.close_object();
+    write_film(run, text);
   }
   text.close_object();
   file("\n");
@@ -247,7 +294,7 @@ std::optional<RunRecord> find_run_alone(const std::filesystem::path& path) {
   if (!document.is_object() || document.value("schema", "") != run_schema) return std::nullopt;
   RunRecord run = run_from_json(document, path.string());
   try {
-    columns.move_to(run.rendering.film);
+    columns.move_to(run.rendering);
   } catch (const std::runtime_error& problem) {
     throw RunFileError(fmt::format("{}: {}", path.string(), problem.what()));
   }

@@ -42,6 +42,18 @@ FilmEstimate film_from(const ordered_json& json) {
   return film;
 }
 
+FilmEstimate chains_film_from(const ordered_json& json, const FilmEstimate& film) {
+  FilmEstimate alone{.shape = film.shape};
+  alone.value = numbers_from(json.value("value", ordered_json::array()));
+  alone.standard_error = numbers_from(json.value("standard_error", ordered_json::array()));
+  return alone;
+}
+
+PoolingRecord pooling_from(const ordered_json& json) {
+  return {number_from(json.at("border")), json.at("samples"),
+          number_from(json.at("light_of_samples"))};
+}
+
 Normalization normalization_from(const ordered_json& json) {
   auto normalization = estimate_from<Normalization>(json);
   normalization.method = json.at("method");
@@ -130,6 +142,9 @@ Rendering rendering_from(const ordered_json& json) {
   rendering.seed_seconds = number_from(json.at("seed_seconds"));
   rendering.precision = json.at("precision");
   rendering.film = film_from(json.at("film"));
+  if (json["film"].contains("chains"))
+    rendering.chains_film = chains_film_from(json["film"]["chains"], rendering.film);
+  if (json.contains("pooling")) rendering.pooling = pooling_from(json["pooling"]);
   if (json.contains("normalization"))
     rendering.normalization = normalization_from(json["normalization"]);
   if (json.contains("chains")) {

@@ -76,6 +76,13 @@ std::string number(double x, const char* unit) {
   return std::isnan(x) ? "-" : count_in_words(x) + unit;
 }
 
+// Of a large film the chains alone have no error bars.
+std::string chains_error_in_words(const Rendering& rendering) {
+  const auto& alone = rendering.chains_film;
+  if (!alone || alone->standard_error.empty()) return ", the rest by the chains";
+  return fmt::format(", the rest by the chains (alone {})", percent(relative_error(*alone)));
+}
+
 // What is the same in all states has no diagnostics, nor has a run that was interrupted early.
 std::string chain_lines(const ChainsRecord& chains, double seconds) {
   std::string text;
@@ -123,6 +130,11 @@ std::string mutation_lines(const std::vector<MutationRecord>& mutations) {
 
 std::string summary_of(const Rendering& rendering) {
   std::string text = work_line(rendering) + film_lines(rendering.film);
+  if (rendering.pooling)
+    text += fmt::format("  pooled          {} of the light by {} samples{}\n",
+                        percent(rendering.pooling->light_of_samples),
+                        count_in_words(static_cast<double>(rendering.pooling->samples)),
+                        chains_error_in_words(rendering));
   if (rendering.normalization) text += normalization_lines(*rendering.normalization);
   if (rendering.chains_record) text += chain_lines(*rendering.chains_record, rendering.seconds);
   if (!rendering.mutations.empty()) text += mutation_lines(rendering.mutations);

@@ -38,7 +38,7 @@ Pace pace_of(const Plan& plan, std::size_t contender, Course& course) {
     const double of_seeds = seeds > 0 ? run.seed_seconds : 0;
     return {.of_sample = (run.seconds - of_seeds) / static_cast<double>(run.samples),
             .of_seed = seeds > 0 ? of_seeds / seeds : 0,
-            .seed_share = chains.seed_share,
+            .seed_share = chains.seed_share.value_or(ChainSettings::usual_seed_share),
             .fewest_seeds = static_cast<double>(chains.fewest_seeds)};
   } catch (const NoLightFound&) {
     return {};

@@ -21,17 +21,17 @@ struct PrimaryDeposit {
   double current, proposed;
 };
 
-// Writes them to a film, splat by splat.
-template <class Sample>
-void deposit(const PrimaryStep<Sample>& step, PrimaryDeposit weights, GroupFilm& film) {
-  const auto add = [&film](const Sample& sample, double weight) {
+// Splat by splat: put(sample, vertices, bin, weight, colour).
+template <class Sample, class Put>
+void for_each_deposit(const PrimaryStep<Sample>& step, PrimaryDeposit weights, Put&& put) {
+  const auto split = [&put](const Sample& sample, double weight) {
     if (!(weight > 0)) return;
     sample.for_each_share([&](int vertices, int bin, double share, const auto& colour) {
-      film.add(vertices, bin, weight * share, colour);
+      put(sample, vertices, bin, weight * share, colour);
     });
   };
-  add(step.current, weights.current);
-  add(step.proposed, weights.proposed);
+  split(step.current, weights.current);
+  split(step.proposed, weights.proposed);
 }
 
 // Expected values [Veach 1997, 11.3.2]: 1 - a of b_g at u, and a of b_g at v.

@@ -25,8 +25,11 @@ class ChainGroups {
       groups_.push_back(std::make_unique<Chains>(space, kernel, run.session().seed, g,
                                                  settings.chains_per_group, settings.film));
     const std::vector<int> film = space.scene().film_shape();
-    if (Group<Chains> && settings.film.is_large(film))
-      shared_.emplace(film, space.max_vertices(), settings.groups, settings.film);
+    if (!Group<Chains> || !settings.film.is_large(film)) return;
+    shared_.emplace(film, space.max_vertices(), settings.groups, settings.film);
+    if (settings.film_parts == FilmParts::chains) return;
+    total_.emplace(values_of(film));
+    samples_.emplace(film, space.max_vertices(), settings.film);
   }
 
   auto begin() const { return groups_.begin(); }
@@ -34,9 +37,28 @@ class ChainGroups {
   std::uint64_t count() const { return groups_.size(); }
   Chains& operator[](int group) const { return *groups_[static_cast<std::size_t>(group)]; }
 
+  // So many samples of each group, which are no part of anything else.
+  Pilot pilot(std::uint64_t count) requires Group<Chains> {
+    std::vector<Pilot> found(groups_.size());
+    on_all_threads([&](std::size_t g) { found[g] = groups_[g]->pilot(count); });
+    Pilot all;
+    for (const Pilot& of_group : found) all.merge(of_group);
+    return all;
+  }
+  // Before the first sample: the film is pooled, and so many samples are made beside the chains.
+  void pool(const Pooling& pooling) requires Group<Chains> {
+    samples_per_step_ = pooling.samples_per_step;
+    for (const auto& group : groups_) group->divide(pooling.partition);
+  }
+
   // The seed pass: so many more samples of each slice.
   void add_seeds(std::uint64_t count) {
-    on_all_threads([&](std::size_t g) { groups_[g]->add_seeds(count); });
+    for (std::uint64_t done = 0; done < count;) {
+      const std::uint64_t part = std::min(count - done, samples_ ? samples_per_turn : count);
+      on_all_threads([&](std::size_t g) { groups_[g]->add_seeds(part); });
+      if constexpr (Group<Chains>) gather_samples();
+      done += part;
+    }
   }
   SeedTally tally() const {
     SeedTally tally(max_vertices_);
@@ -50,12 +72,13 @@ class ChainGroups {
     on_all_threads([&](std::size_t g) {
       SeedTally others(max_vertices_);
       for (std::size_t h = 0; h < groups_.size(); ++h)
-        if (h != g) others.merge(groups_[h]->tally());
+        if (h != g) others.merge(groups_[h]->seed_tally());
       groups_[g]->keep_chains(chains);
       groups_[g]->start_chains(others);
     });
-    for (const auto& group : groups_)
-      if (group->takes_steps()) active_.push_back(group.get());
+    place_.assign(groups_.size(), std::nullopt);
+    for (std::size_t g = 0; g < groups_.size(); ++g)
+      if (groups_[g]->takes_steps()) place_[g] = active_++;
     if constexpr (Group<Chains>) share_films();
   }
 
@@ -65,40 +88,61 @@ class ChainGroups {
   template <class Archive>
   void serialize_seeds(Archive& archive) {
     for (const auto& group : groups_) group->serialize_seeds(archive);
+    if (samples_) archive(*samples_);
   }
   template <class Archive>
   void serialize_chains(Archive& archive) {
     archive(steps_);
     for (const auto& group : groups_) group->serialize_chains(archive);
     if (shared_) archive(*shared_);
+    if (total_) archive(*total_);
   }
 
   // Steps of all chains together, shared evenly by the groups that take any.
   std::uint64_t steps() const { return steps_; }
-  std::uint64_t active() const { return active_.size(); }
+  std::uint64_t active() const { return active_; }
   void advance_to(std::uint64_t target) requires Group<Chains> {
     if (shared_) return advance_in_turns_to(target);
-    const std::uint64_t count = active();
-    run_parallel(run_, static_cast<int>(count), [&](int i) {
-      const auto k = static_cast<std::uint64_t>(i);
-      active_[k]->advance(goal_of(k, target) - active_[k]->steps());
-    });
+    run_parallel(run_, static_cast<int>(count()), [&](int g) { advance_to(target, g); });
     steps_ = target;
   }
 
   // The pixels of a large film; none if every group has a film of its own.
   std::optional<SharedLight> shared_light() const {
     if (!shared_) return std::nullopt;
-    if (steps_ == 0) return SharedLight{&*shared_, 0};
+    SharedLight light{&*shared_, 0, samples_ ? &*samples_ : nullptr, total_ ? &*total_ : nullptr};
+    if (steps_ == 0) return light;
     const auto films = static_cast<double>(shared_->count());
-    return SharedLight{&*shared_, mean_light_ * films / static_cast<double>(count()) *
-                                      static_cast<double>(active()) / static_cast<double>(steps_)};
+    light.scale = mean_light_ * films / static_cast<double>(count()) *
+                  static_cast<double>(active()) / static_cast<double>(steps_);
+    return light;
   }
 
  private:
+  static constexpr std::uint64_t samples_per_turn = 256;  // of a large film, in lists until its end
+
   // Steps of the active group k when all have made so many.
   std::uint64_t goal_of(std::uint64_t k, std::uint64_t target) const {
     return target / active() + (k < target % active() ? 1 : 0);
+  }
+  // Samples of each group, whether its chains run or not, for what it found has no part in it.
+  std::uint64_t samples_for(std::uint64_t target) const {
+    const double wanted =
+        samples_per_step_ * static_cast<double>(target) / static_cast<double>(count());
+    return std::max(groups_.front()->seed_tally().samples, static_cast<std::uint64_t>(wanted));
+  }
+
+  // Of one group, steps and the samples beside them.
+  void advance_to(std::uint64_t target, int g) {
+    Chains& group = *groups_[static_cast<std::size_t>(g)];
+    if (const auto k = place_[static_cast<std::size_t>(g)])
+      group.advance(goal_of(*k, target) - group.steps());
+    group.add_seeds(samples_for(target) - group.tally().samples);
+  }
+  // Those of a large film, in the order of the groups.
+  void gather_samples() {
+    if (!samples_) return;
+    for (const auto& group : groups_) group->move_samples_to(*samples_);
   }
 
   // ---- large films
@@ -112,28 +156,30 @@ class ChainGroups {
 
   void share_films() {
     if (!shared_) return;
-    mean_light_ = tally().mean();
+    SeedTally seeds(max_vertices_);
+    for (const auto& group : groups_) seeds.merge(group->seed_tally());
+    mean_light_ = seeds.mean();
     for (int g = 0; g < shared_->groups(); ++g) {
       Chains& group = *groups_[static_cast<std::size_t>(g)];
-      group.share((*shared_)[shared_->film_of_group(g)],
-                  shared_->share_of_group(g) * group.light_of_deposits() / mean_light_);
+      SharedFilm& film = (*shared_)[shared_->film_of_group(g)];
+      const double factor = shared_->share_of_group(g) * group.light_of_deposits() / mean_light_;
+      if (total_)
+        group.share(film, *total_, factor);
+      else
+        group.share(film, factor);
     }
   }
 
   // The groups of a film take turns in their order, on one thread.
   void advance_in_turns_to(std::uint64_t target) {
-    std::vector<std::vector<std::uint64_t>> sharers(static_cast<std::size_t>(shared_->count()));
-    std::uint64_t k = 0;
-    for (int g = 0; g < shared_->groups(); ++g)
-      if (groups_[static_cast<std::size_t>(g)]->takes_steps())
-        sharers[static_cast<std::size_t>(shared_->film_of_group(g))].push_back(k++);
     while (steps_ < target) {
       const std::uint64_t turn = std::min(target - steps_, SharedFilms::steps_per_turn * active());
       run_parallel(run_, shared_->count(), [&](int film) {
-        for (const std::uint64_t each : sharers[static_cast<std::size_t>(film)])
-          active_[each]->advance(goal_of(each, steps_ + turn) - active_[each]->steps());
+        for (int g = film; g < shared_->groups(); g += shared_->count())
+          advance_to(steps_ + turn, g);
       });
       shared_->flush();
+      gather_samples();
       steps_ += turn;
     }
   }
@@ -146,8 +192,13 @@ class ChainGroups {
   int max_vertices_;
   const Run& run_;
   std::vector<std::unique_ptr<Chains>> groups_;
-  std::vector<Chains*> active_;
+  std::vector<std::optional<std::uint64_t>> place_;  // of each group among those that take steps,
+  std::uint64_t active_ = 0;                         // so many
+  double samples_per_step_ = 0;
   std::optional<SharedFilms> shared_;
+  // Of a large film that is pooled: what the samples bring, and the film of the chains alone.
+  std::optional<LargeSampleFilm> samples_;
+  std::optional<TotalFilm> total_;
   double mean_light_ = 0;  // by the seed pass
   bool is_started_ = false;
   std::uint64_t steps_ = 0;

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "mlt/run/normalization.h"
 
 namespace wander {
+
+// Of the chains alone, or of samples and chains together (partition.h).
+enum class FilmParts { chains, pooled };
 
 struct ChainSettings {
   int groups = 64;  // independent: their spread is the error bar
@@ -13,7 +17,11 @@ struct ChainSettings {
   // Fewer chains run, but one at least, where a budget would give each fewer steps than this: they
   // would be too short to mix.  0: all run, however short they are.
   std::uint64_t steps_per_chain = 1 << 16;
-  double seed_share = 0.25;  // of the seed pass: samples per mutation, seconds per second of chains
+  FilmParts film_parts = FilmParts::pooled;
+  // Of the seed pass: samples per mutation, seconds per second of chains.  None: as many as a pilot
+  // finds best, for a pooled film, or else the usual.
+  std::optional<double> seed_share{};
+  static constexpr double usual_seed_share = 0.25;
   std::uint64_t fewest_seeds = 1 << 15;  // samples, of all groups together
   NormalizationMethod normalization = NormalizationMethod::bridge;
   FilmLayout film{};

@@ -1,14 +1,17 @@
 // From steps to a film.  Expected values [Veach 1997, 11.3.2; "waste recycling"]: each step
-// deposits 1 - a at x and a at y, whatever was decided, so the deposits of n steps sum to n.
+// deposits 1 - a at x and a at y, whatever was decided, so the deposits of n steps sum to n.  How
+// much of a deposit the pooled film takes is said in partition.h.
 #pragma once
 
 #include <array>
 #include <map>
+#include <tuple>
 #include <vector>
 
 #include "core/film.h"
 #include "mlt/chain.h"
 #include "mlt/run/shared_films.h"
+#include "mlt/run/total_film.h"
 
 namespace wander {
 
@@ -28,9 +31,14 @@ class GroupFilm {
                      ? max_vertices - 1
                      : 0) {}
 
-  // Before the first deposit, of a large film: there a deposit counts so many times.
+  // Before the first deposit, of a large film: where its pixels are; there a deposit counts so many
+  // times.
   void share(SharedFilm& pixels, double factor) {
     pixels_ = &pixels;
+    factor_ = factor;
+  }
+  void share(TotalFilm& pixels, double factor) {
+    total_ = &pixels;
     factor_ = factor;
   }
 
@@ -42,6 +50,8 @@ class GroupFilm {
     by_length_[static_cast<std::size_t>(vertices) - 2] += weight;
     if (pixels_)
       pixels_->add(vertices, bin, factor_ * weight, colour);
+    else if (total_)
+      total_->add(bin, factor_ * weight, colour);
     else
       lengths_.add(vertices, bin, weight);
   }
@@ -63,18 +73,17 @@ class GroupFilm {
   std::vector<Sum> weights_, by_length_;
   LengthFilms lengths_;
   SharedFilm* pixels_ = nullptr;
+  TotalFilm* total_ = nullptr;
   double factor_ = 1;
 };
 
-// The only place where a step reaches a film.
-template <class Space>
-void deposit(const Space& space, const Step<typename Space::Universe>& step, int current_bin,
-             GroupFilm& film) {
-  if (step.acceptance < 1)
-    film.add(step.current.size(), current_bin, 1 - step.acceptance, colour(step.current));
-  if (step.acceptance > 0)
-    film.add(step.proposed.size(), space.bin(step.proposed), step.acceptance,
-             colour(step.proposed));
+// The deposits of a step: put(path, vertices, bin, weight, colour).
+template <class Space, class Put>
+void for_each_deposit(const Space& space, const Step<typename Space::Universe>& step,
+                      int current_bin, Put&& put) {
+  const auto& [x, y] = std::tie(step.current, step.proposed);
+  if (step.acceptance < 1) put(x, x.size(), current_bin, 1 - step.acceptance, colour(x));
+  if (step.acceptance > 0) put(y, y.size(), space.bin(y), step.acceptance, colour(y));
 }
 
 // The film of all groups.  Group g estimates a bin by bins · b_g · (its share of the deposits); the

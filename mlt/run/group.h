@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-#include "mlt/run/deposit.h"
+#include "mlt/run/group_films.h"
 #include "mlt/run/group_findings.h"
 #include "mlt/run/seeded_chains.h"
 #include "mlt/watch/functionals.h"
@@ -22,8 +22,13 @@ namespace wander {
 template <class G>
 concept Group = ChainSource<G> &&
     requires(G& group, const G& made, std::uint64_t count, GroupsFilm& film,
-             MutationStatistics& statistics, ChainDraws& draws, SharedFilm& pixels) {
+             MutationStatistics& statistics, ChainDraws& draws, SharedFilm& pixels,
+             TotalFilm& total, LargeSampleFilm& samples) {
+  { made.pilot(count) } -> std::same_as<Pilot>;
+  group.divide(Partition{});  // before the first sample, if the film is pooled
   group.share(pixels, 1.0);
+  group.share(pixels, total, 1.0);  // of a pooled film
+  group.move_samples_to(samples);
   { made.light_of_deposits() } -> std::same_as<double>;
   group.advance(count);  // makes so many more steps, of all chains together
   { made.steps() } -> std::same_as<std::uint64_t>;
@@ -42,14 +47,25 @@ class ChainGroup {
   ChainGroup(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains,
              const FilmLayout& layout = {})
       : source_(space, kernel, seed, group, chains, layout),
+        layout_(layout),
         film_(space.scene().film_shape(), space.max_vertices(), layout),
         states_(source_.evidence().ratios.size()),
         statistics_(move_names(), layout.maps_of(space.scene().resolution()),
                     space.max_vertices()) {}
 
   static constexpr std::span<const std::string_view> move_names() { return Chains::move_names(); }
-  void add_seeds(std::uint64_t count) { source_.add_seeds(count); }
+  Pilot pilot(std::uint64_t count) const { return source_.pilot(count); }
+  void divide(const Partition& partition) {
+    const Space& space = source_.space();
+    parts_.emplace(partition, space.scene().film_shape(), space.max_vertices(), layout_);
+  }
+  // Before the chains start, and beside them.
+  void add_seeds(std::uint64_t count) {
+    if (!parts_) return source_.add_seeds(count);
+    source_.add_seeds(count, SampleWatcher<Space, Chains::Seeds::ratios>(source_.space(), *parts_));
+  }
   const SeedTally& tally() const { return source_.tally(); }
+  const SeedTally& seed_tally() const { return source_.seed_tally(); }
   void keep_chains(int most) { source_.keep_chains(most); }
   bool takes_steps() const { return source_.takes_steps(); }
   int chains() const { return source_.chains(); }
@@ -74,11 +90,17 @@ class ChainGroup {
     steps_ += steps;
   }
 
-  // Of a large film, once the chains have started: where the pixels of what they deposit go.
+  // Of a large film, once the chains have started: where the pixels of what they deposit go,
   void share(SharedFilm& pixels, double factor) { film_.share(pixels, factor); }
+  // if it is pooled, of their part of it and of all.
+  void share(SharedFilm& pixels, TotalFilm& total, double factor) {
+    parts_->of_chains().share(pixels, factor);
+    film_.share(total, factor);
+  }
+  void move_samples_to(LargeSampleFilm& film) { parts_->move_samples_to(film); }
   // What its deposits, over the number of its steps, have to be multiplied by to be light.
   double light_of_deposits() const {
-    return Chains::deposits == Deposits::shares ? tally().mean() : 1;
+    return Chains::deposits == Deposits::shares ? seed_tally().mean() : 1;
   }
 
   void deliver(GroupsFilm& film, MutationStatistics& statistics, ChainDraws& draws) const {
@@ -91,11 +113,11 @@ class ChainGroup {
 
   GroupFindings findings() const {
     const double scale = steps_ > 0 ? light_of_deposits() / static_cast<double>(steps_) : 0;
-    GroupFindings found{&tally(), &source_.evidence(), &film_, scale};
+    GroupFindings found{&tally(), &source_.evidence(), &film_, parts_ ? &*parts_ : nullptr, scale};
     for (std::size_t k = 0; k < states_.size(); ++k) {
       const double count = states_[k].count();
       found.states.push_back(
-          {&states_[k], count > 0 ? Chains::Seeds::light(tally(), k) / count : 0});
+          {&states_[k], count > 0 ? Chains::Seeds::light(seed_tally(), k) / count : 0});
     }
     if (Chains::deposits == Deposits::shares)
       for (const auto& visits : statistics_.visits())
@@ -107,6 +129,7 @@ class ChainGroup {
   template <class Archive>
   void serialize_seeds(Archive& archive) {
     archive(source_);
+    if (parts_) archive(*parts_);
   }
   // Between two steps.  What follows from the slices is left out: start_chains() makes it again.
   template <class Archive>
@@ -129,7 +152,14 @@ class ChainGroup {
     statistics_.timed(member.chain.steps, [&] {
       int mutation = 0;
       member.chain.step([&](const auto& step) {
-        source_.deposit(static_cast<int>(k), step, member.current, film_);
+        source_.for_each_deposit(
+            static_cast<int>(k), step, member.current,
+            [this](const auto& state, int vertices, int bin, double weight, const auto& colour) {
+              film_.add(vertices, bin, weight, colour);
+              if (!parts_) return;
+              const double w_M = parts_->partition().of_chains(source_.ratio(state));
+              parts_->of_chains().add(vertices, bin, weight * w_M, colour);
+            });
         const Observation seen = source_.observation(step, member.current);
         statistics_.observe(seen, member.runs);
         if (step.accepted()) member.current = source_.features_of(step.proposed);
@@ -153,7 +183,9 @@ class ChainGroup {
   }
 
   Chains source_;
+  FilmLayout layout_;
   GroupFilm film_;
+  std::optional<PooledParts> parts_;
   std::vector<RatioHistogram> states_;  // by stratum: f / p̄ of the state after each step
   MutationStatistics statistics_;
   std::optional<typename Chains::Turns> turns_;  // once the chains have started

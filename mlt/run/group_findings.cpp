@@ -23,6 +23,7 @@ KeptFindings::KeptFindings(const GroupFindings& found)
   found_.seeds = &seeds_;
   found_.evidence = &evidence_;
   found_.film = &film_;
+  if (found.parts) found_.parts = &parts_.emplace(*found.parts);
   for (std::size_t k = 0; k < states_.size(); ++k) found_.states[k].ratios = &states_[k];
 }
 

@@ -2,10 +2,11 @@
 // are made of.  Groups are independent of each other.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "mlt/run/deposit.h"
+#include "mlt/run/group_films.h"
 #include "mlt/seeds/seed_pass.h"
 
 namespace wander {
@@ -26,7 +27,8 @@ struct ClassLight {
 struct GroupFindings {
   const SeedTally* seeds;
   const SeedEvidence* evidence;
-  const GroupFilm* film;
+  const GroupFilm* film;     // of all that the chains deposited
+  const PooledParts* parts;  // of a pooled film; else none
   double scale;  // makes of deposits an estimate of the light that falls on a bin, times `weight`
   std::vector<StateRatios> states{};
   std::vector<ClassLight> classes{};  // empty where states have no class
@@ -51,6 +53,7 @@ class KeptFindings {
   SeedTally seeds_;
   SeedEvidence evidence_;
   GroupFilm film_;
+  std::optional<PooledParts> parts_;
   std::vector<RatioHistogram> states_;
   GroupFindings found_;  // of the members above
 };

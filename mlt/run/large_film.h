@@ -16,6 +16,9 @@ namespace wander {
 struct SharedLight {
   const SharedFilms* films;
   double scale;
+  // Of a pooled film, for which `films` are the chains' part: the samples', and all of the chains.
+  const LargeSampleFilm* samples = nullptr;
+  const TotalFilm* total = nullptr;
   double weight = 1;  // of each group, among those of other runs (group_findings.h)
 };
 

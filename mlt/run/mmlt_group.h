@@ -80,9 +80,10 @@ class MmltChains : public SeededChains<Space, LengthSeeds> {
   int chains() const { return space_.max_vertices() - 1; }
   void keep_chains(int) {}  // it has one for each length
   void start_chains(const SeedTally& others) {
+    this->end_seeds();
     shares_ = shares_of_steps(others);
     for (int n = 2; n <= space_.max_vertices(); ++n)
-      lengths_.push_back({{this->tally().mean(n), others.mean(n), kernel_.large_step},
+      lengths_.push_back({{this->seed_tally().mean(n), others.mean(n), kernel_.large_step},
                           1 / shares_[static_cast<std::size_t>(n) - 2]});
   }
 
@@ -98,13 +99,14 @@ class MmltChains : public SeededChains<Space, LengthSeeds> {
 
   // ---- for those who watch
 
-  void deposit(int k, const PrimaryStep<MultiplexedPath<W>>& step, const Features&,
-               GroupFilm& film) const {
+  template <class Put>
+  void for_each_deposit(int k, const PrimaryStep<MultiplexedPath<W>>& step, const Features&,
+                        Put&& put) const {
     const Length& length = lengths_[static_cast<std::size_t>(k)];
     PrimaryDeposit weights = Estimator::deposit(step, length.constants);
     weights.current *= length.scale;
     weights.proposed *= length.scale;
-    wander::deposit(step, weights, film);
+    wander::for_each_deposit(step, weights, put);
   }
   Observation observation(const PrimaryStep<MultiplexedPath<W>>& step,
                           const Features& current) const {

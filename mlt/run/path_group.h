@@ -20,7 +20,6 @@ class PathChains : public SeededChains<Space, PathSeeds> {
              const FilmLayout& layout = {})
       : SeededChains<Space, PathSeeds>(space, seed, group, chains, layout),
         kernel_(kernel),
-        seed_(seed),
         first_chain_(group * chains),
         chain_count_(chains) {}
 
@@ -28,7 +27,10 @@ class PathChains : public SeededChains<Space, PathSeeds> {
   bool takes_steps() const { return slice_.found_light(); }
   int chains() const { return chain_count_; }
   void keep_chains(int most) { chain_count_ = std::min(chain_count_, most); }
-  void start_chains(const SeedTally& others) { kernel_.learn(others); }
+  void start_chains(const SeedTally& others) {
+    this->end_seeds();
+    kernel_.learn(others);
+  }
 
   static std::size_t stratum(int) { return 0; }
   bool has_seed(int) const { return slice_.found_light(); }
@@ -41,8 +43,9 @@ class PathChains : public SeededChains<Space, PathSeeds> {
 
   // ---- for those who watch
 
-  void deposit(int, const Step<W>& step, const Features& current, GroupFilm& film) const {
-    wander::deposit(space_, step, current.bin, film);
+  template <class Put>
+  void for_each_deposit(int, const Step<W>& step, const Features& current, Put&& put) const {
+    wander::for_each_deposit(space_, step, current.bin, put);
   }
   Observation observation(const Step<W>& step, const Features& current) const {
     return wander::observation(space_, step, current);
@@ -53,11 +56,11 @@ class PathChains : public SeededChains<Space, PathSeeds> {
 
  private:
   using Base = SeededChains<Space, PathSeeds>;
+  using Base::seed_;
   using Base::slice_;
   using Base::space_;
 
   Kernel kernel_;
-  std::uint64_t seed_;
   int first_chain_, chain_count_;
 };
 

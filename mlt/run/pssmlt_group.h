@@ -60,7 +60,6 @@ class PssmltChains : public SeededChains<Space, SampleSeeds> {
       : SeededChains<Space, SampleSeeds>(space, seed, group, chains, layout),
         kernel_(kernel),
         sampler_(space),
-        seed_(seed),
         first_chain_(group * chains),
         chain_count_(chains) {}
 
@@ -69,7 +68,8 @@ class PssmltChains : public SeededChains<Space, SampleSeeds> {
   int chains() const { return chain_count_; }
   void keep_chains(int most) { chain_count_ = std::min(chain_count_, most); }
   void start_chains(const SeedTally& others) {
-    constants_ = {this->tally().mean(), others.mean(), kernel_.large_step};
+    this->end_seeds();
+    constants_ = {this->seed_tally().mean(), others.mean(), kernel_.large_step};
   }
 
   static std::size_t stratum(int) { return 0; }
@@ -84,8 +84,9 @@ class PssmltChains : public SeededChains<Space, SampleSeeds> {
 
   // ---- for those who watch
 
-  void deposit(int, const PrimaryStep<Splats>& step, const Features&, GroupFilm& film) const {
-    wander::deposit(step, Estimator::deposit(step, constants_), film);
+  template <class Put>
+  void for_each_deposit(int, const PrimaryStep<Splats>& step, const Features&, Put&& put) const {
+    wander::for_each_deposit(step, Estimator::deposit(step, constants_), put);
   }
   Observation observation(const PrimaryStep<Splats>& step, const Features& current) const {
     return primary_observation(step, current, features_of(step.proposed));
@@ -98,11 +99,11 @@ class PssmltChains : public SeededChains<Space, SampleSeeds> {
 
  private:
   using Base = SeededChains<Space, SampleSeeds>;
+  using Base::seed_;
   using Base::slice_;
 
   Kernel kernel_;
   SplatSampler<Space> sampler_;
-  std::uint64_t seed_;
   int first_chain_, chain_count_;
   PrimaryConstants constants_{};
 };

@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "core/rng.h"
+#include "mlt/run/partition.h"
 #include "mlt/seeds/seed_pass.h"
 
 namespace wander {
@@ -20,6 +21,7 @@ template <class C>
 concept ChainSource = requires(C& chains, const C& made, std::uint64_t count,
                                const SeedTally& others) {
   chains.add_seeds(count);
+  { made.seed_tally() } -> std::same_as<const SeedTally&>;  // of the samples with seeds
   { made.tally() } -> std::same_as<const SeedTally&>;
   // After the seed pass: of the chains for which there are seeds, only so many run.
   chains.keep_chains(1);
@@ -92,8 +94,21 @@ class SeededChains {
   using Space = S;
   using Seeds = SeedsOfSlice;
 
-  void add_seeds(std::uint64_t count) { slice_.run(count); }
+  template <class Watcher = NoWatcher>
+  void add_seeds(std::uint64_t count, Watcher&& watcher = {}) {
+    slice_.run(count, watcher);
+  }
+  // Samples that are no part of any estimate.
+  Pilot pilot(std::uint64_t count) const {
+    SeedSlice<Space, Seeds> slice(space_, seed_, group_, 0, {}, Purpose::pilot);
+    slice.end_seeds();
+    slice.run(count);
+    Pilot pilot{.samples = static_cast<double>(count), .rays = static_cast<double>(slice.rays())};
+    for (const RatioHistogram& stratum : slice.evidence().ratios) pilot.ratios.add(stratum, 1);
+    return pilot;
+  }
   const SeedTally& tally() const { return slice_.tally(); }
+  const SeedTally& seed_tally() const { return slice_.seed_tally(); }
   const SeedEvidence& evidence() const { return slice_.evidence(); }
   bool found_light() const { return slice_.found_light(); }
   const Space& space() const { return space_; }
@@ -107,9 +122,13 @@ class SeededChains {
  protected:
   SeededChains(const Space& space, std::uint64_t seed, int group, int seeds,
                const FilmLayout& layout)
-      : space_(space), slice_(space, seed, group, seeds, layout) {}
+      : space_(space), seed_(seed), group_(group), slice_(space, seed, group, seeds, layout) {}
+
+  void end_seeds() { slice_.end_seeds(); }
 
   const Space& space_;
+  std::uint64_t seed_;
+  int group_;
   SeedSlice<Space, Seeds> slice_;
 };
 

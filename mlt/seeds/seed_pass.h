@@ -6,6 +6,9 @@
 // and b_g times the mean of what its chains deposit is unbiased for any length of the chains.  No
 // Russian roulette.  Seeds are found in one sweep by weighted reservoirs; only the sample's index
 // is kept, and the path is made again from its random numbers.
+//
+// When seeds are drawn samples may go on beside the chains: they are further evidence of b and of the
+// film, but b_g stays that of the samples that the seeds came from.
 #pragma once
 
 #include <stdexcept>
@@ -43,6 +46,15 @@ struct SeedEvidence {
   }
 };
 
+// What watches samples: those of the seed pass that show nothing.
+struct NoWatcher {
+  // A path of the sample under way.
+  template <class W>
+  void found(const Path<W>&, int /*technique*/, double /*w f/p*/) {}
+  // Its light in all.
+  void end_sample(double) {}
+};
+
 // One group's slice of the seed pass.  `Seeds` is what it draws for the chains (seeds.h).
 template <class Space, class Seeds = PathSeeds>
 class SeedSlice {
@@ -51,29 +63,42 @@ class SeedSlice {
 
   // `count`: how many seeds.
   SeedSlice(const Space& space, std::uint64_t seed, int group, int count,
-            const FilmLayout& layout = {})
+            const FilmLayout& layout = {}, Purpose purpose = Purpose::seed_pass)
       : space_(&space),
         sampler_(space, all_techniques, Heuristic::balance),
-        samples_(seed, Purpose::seed_pass, static_cast<std::uint32_t>(group)),
+        samples_(seed, purpose, static_cast<std::uint32_t>(group)),
         seeds_(Rng(seed, Purpose::resample, static_cast<std::uint32_t>(group)), count),
         tally_(space.max_vertices()),
+        of_seeds_(space.max_vertices()),
         raster_(layout.raster(space.scene().resolution())),
         evidence_(Seeds::strata(space.max_vertices()), raster_.cells()),
         by_length_(tally_.sum.size()) {}
 
-  void run(std::uint64_t count) {
-    for (std::uint64_t i = 0; i < count; ++i) add_sample();
+  template <class Watcher = NoWatcher>
+  void run(std::uint64_t count, Watcher&& watcher = {}) {
+    for (std::uint64_t i = 0; i < count; ++i) add_sample(watcher);
+  }
+  // The seeds are drawn; samples after this are no candidates.
+  void end_seeds() {
+    if (!takes_seeds_) return;
+    takes_seeds_ = false;
+    of_seeds_ = tally_;
   }
 
+  // Of all samples.
   const SeedTally& tally() const { return tally_; }
+  // Of those that the seeds were drawn from.
+  const SeedTally& seed_tally() const { return takes_seeds_ ? tally_ : of_seeds_; }
   const SeedEvidence& evidence() const { return evidence_; }
-  bool found_light() const { return tally_.total.value() > 0; }
+  bool found_light() const { return seed_tally().total.value() > 0; }
+  // Of all samples, walks and connections that were tried: what they cost.
+  std::uint64_t rays() const { return sampler_.rays(); }
   const Seed& seed(int chain) const { return seeds_[chain]; }
 
   // Between two samples.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(seeds_, tally_, evidence_);
+    archive(seeds_, tally_, takes_seeds_, of_seeds_, evidence_);
   }
 
   // The path of a seed, whose weight must come out as it was, bit for bit.
@@ -105,7 +130,8 @@ class SeedSlice {
   }
 
  private:
-  void add_sample() {
+  template <class Watcher>
+  void add_sample(Watcher& watcher) {
     const std::uint64_t index = tally_.samples++;
     samples_.start(index);
     seeds_.start(index);
@@ -116,12 +142,14 @@ class SeedSlice {
       tally_.total += weight;
       if (tally_.techniques.has(x.size()))
         tally_.techniques.row(x.size())[static_cast<std::size_t>(s)] += weight;
-      seeds_.offer_path({index, x.size(), s, weight});
+      if (takes_seeds_) seeds_.offer_path({index, x.size(), s, weight});
       keep(x, weight);
+      watcher.found(x, s, weight);
     });
+    watcher.end_sample(total);
     if (total == 0) return;
     if constexpr (Seeds::ratios == Ratios::of_samples) evidence_.ratios[0].add(total);
-    seeds_.offer_sample({.sample = index, .weight = total});
+    if (takes_seeds_) seeds_.offer_sample({.sample = index, .weight = total});
     tally_.total_squares += total * total;
     for (std::size_t k = 0; k < by_length_.size(); ++k) {
       if (by_length_[k] == 0) continue;
@@ -144,6 +172,8 @@ class SeedSlice {
   Rng samples_;
   Seeds seeds_;
   SeedTally tally_;
+  bool takes_seeds_ = true;
+  SeedTally of_seeds_;  // once they are drawn
   Raster raster_;
   SeedEvidence evidence_;
   std::vector<double> by_length_;  // of the sample under way

@@ -77,7 +77,9 @@ class ChainWorker {
       statistics_.timed(steps_++, [&] {
         int mutation = 0;
         chain_.step(random_, [&](const Step<W>& step) {
-          deposit(transport_, step, current_.bin, film_);
+          for_each_deposit(transport_, step, current_.bin,
+                           [this](const auto&, int vertices, int bin, double weight,
+                                  const auto& tint) { film_.add(vertices, bin, weight, tint); });
           statistics_.observe(observation(transport_, step, current_), runs_);
           if (step.accepted()) current_ = features(transport_, step.proposed);
           mutation = step.mutation;

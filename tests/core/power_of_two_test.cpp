@@ -9,6 +9,7 @@
 #include "mlt/run/deposit.h"
 #include "mutations/catalogue.h"
 #include "scenes/format/build_scene.h"
+#include "tests/support/deposits.h"
 #include "tests/support/invariance.h"
 #include "tests/support/test_scenes.h"
 

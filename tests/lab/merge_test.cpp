@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/film_statistics.h"
 #include "lab/engine.h"
 #include "lab/failure.h"
 #include "records/run_json.h"
@@ -117,8 +118,11 @@ TEST(MergedSamples, AreThoseOfAllRunsTogether) {
 
 // ---- chains
 
-Job chains_job(NormalizationMethod normalization = NormalizationMethod::bridge) {
-  return {mirror_and_glass(), find_method("mlt"), {.chains = {.normalization = normalization}}};
+Job chains_job(NormalizationMethod normalization = NormalizationMethod::bridge,
+               FilmParts parts = FilmParts::chains) {
+  return {mirror_and_glass(),
+          find_method("mlt"),
+          {.chains = {.film_parts = parts, .normalization = normalization}}};
 }
 
 const NormalizationEstimate& seed_pass_of(const Rendering& run) {
@@ -173,6 +177,26 @@ TEST(MergedChains, ScaledToTheSeedPassHaveTheMeanOfTheirFilms) {
   expect_close(all.normalization->value, mean, 1e-12);
   EXPECT_GT(all.film.degrees_of_freedom, 63);
   EXPECT_LE(all.film.degrees_of_freedom, 126);
+}
+
+// Of runs that are alike in size, each pooled by a border of its own.
+TEST(MergedChains, OfPooledFilmsHaveTheMeanOfThem) {
+  const Job job = chains_job(NormalizationMethod::bridge, FilmParts::pooled);
+  const std::vector<Kept> runs{kept_run(job, 1, 300'000), kept_run(job, 2, 300'000)};
+  ASSERT_NE(runs[0].found.pooling->border, runs[1].found.pooling->border);
+  ASSERT_EQ(runs[0].found.pooling->samples, runs[1].found.pooling->samples);
+  const Rendering all = merged(job, runs);
+  EXPECT_EQ(all.pooling->samples, 2 * runs[0].found.pooling->samples);
+  EXPECT_NEAR(mean_value(all.film), all.normalization->value, 1e-12 * all.normalization->value);
+  const FilmEstimate &a = runs[0].found.film, &b = runs[1].found.film;
+  // The levels of both films differ from that of all by their errors.
+  const double level = 2 * all.normalization->value / (mean_value(a) + mean_value(b));
+  for (std::size_t j = 0; j < a.value.size(); ++j) {
+    const double mean = level * (a.value[j] + b.value[j]) / 2;
+    EXPECT_NEAR(all.film.value[j], mean, 0.1 * all.film.standard_error[j]) << j;
+    const double error = std::hypot(a.standard_error[j], b.standard_error[j]) / 2;
+    EXPECT_NEAR(all.film.standard_error[j] / error, 1, 0.3) << j;
+  }
 }
 
 TEST(MergedChains, CountWhatAllMutationsDid) {

@@ -9,6 +9,7 @@
 #include "mlt/run/pssmlt_group.h"
 #include "mutations/catalogue.h"
 #include "mutations/kelemen.h"
+#include "tests/support/deposits.h"
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {

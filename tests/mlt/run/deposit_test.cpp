@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "mutations/catalogue.h"
+#include "tests/support/deposits.h"
 #include "tests/support/invariance.h"
 #include "tests/support/test_scenes.h"
 

@@ -1,0 +1,83 @@
+// What one group brings to the films of a run: the deposits of its chains; and if the film is pooled
+// (partition.h), what of them is the chains' part, and the samples' part from its slice of the seed
+// pass.
+#pragma once
+
+#include <optional>
+
+#include "core/large_sample_film.h"
+#include "mlt/run/deposit.h"
+#include "mlt/run/partition.h"
+#include "mlt/seeds/seed_pass.h"
+
+namespace wander {
+
+// The parts of a pooled film.  Of a large film, samples come as lists, which are to be taken from here
+// now and then.
+class PooledParts {
+ public:
+  PooledParts(const Partition& partition, std::span<const int> film, int max_vertices,
+              const FilmLayout& layout)
+      : partition_(partition),
+        of_chains_(film, max_vertices, layout),
+        list_(film, max_vertices, layout) {
+    if (!layout.is_large(film)) of_samples_.emplace(film, max_vertices, layout);
+  }
+
+  const Partition& partition() const { return partition_; }
+  GroupFilm& of_chains() { return of_chains_; }
+  const GroupFilm& of_chains() const { return of_chains_; }
+  // Σ over samples; of a film that is not large.
+  const GroupFilm& of_samples() const { return of_samples_.value(); }
+
+  // A whole sample, of which each path comes with the light l w_B.
+  void add_sample(const Contributions& sample) {
+    if (!of_samples_) return list_.add(sample);
+    for (const Contribution& path : sample) of_samples_->add(path.vertices, path.bin, path.value);
+  }
+  // Of a large film, since the last time.
+  void move_samples_to(LargeSampleFilm& film) {
+    film.merge(list_);
+    list_.clear();
+  }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(of_chains_);
+    if (of_samples_) archive(*of_samples_);
+  }
+
+ private:
+  Partition partition_;
+  GroupFilm of_chains_;
+  std::optional<GroupFilm> of_samples_;
+  SampleList list_;  // empty when a run is kept
+};
+
+// Brings samples to the film.  `R` says what l is of: of a path, or of a whole sample.
+template <class Space, Ratios R>
+class SampleWatcher {
+ public:
+  using W = typename Space::Universe;
+
+  SampleWatcher(const Space& space, PooledParts& parts) : space_(&space), parts_(&parts) {}
+
+  // By the balance heuristic w f/p is l, or the part of it that a path is of a sample.
+  void found(const Path<W>& x, int technique, double light) {
+    sample_.push_back({x.size(), technique, space_->bin(x), light});
+    if constexpr (W::channels > 1) sample_.back().tint = colour(x).colour;
+  }
+  void end_sample(double total) {
+    for (Contribution& path : sample_)
+      path.value *= parts_->partition().of_samples(R == Ratios::of_paths ? path.value : total);
+    parts_->add_sample(sample_);
+    sample_.clear();
+  }
+
+ private:
+  const Space* space_;
+  PooledParts* parts_;
+  Contributions sample_;  // under way
+};
+
+}  // namespace wander

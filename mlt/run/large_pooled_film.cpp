@@ -1,0 +1,245 @@
+#include "mlt/run/large_pooled_film.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "statistics/jackknife.h"
+
+namespace wander {
+
+namespace {
+
+struct OfBin {
+  double value = 0, variance = 0;
+};
+
+// By luminance, summed over all bins.
+template <class ValueOfBin>
+double luminance_of(std::size_t bins, int channels, ValueOfBin&& value) {
+  double sum = 0;
+  for (std::size_t j = 0; j < bins; ++j) sum += luminance_weight(channels, j) * value(j);
+  return sum;
+}
+
+// One run: its share of all, what its samples say, and what each of its films of chains does.
+class RunLight {
+ public:
+  RunLight(const SharedLight& run, std::span<const GroupFindings> groups, int channels)
+      : run_(run), channels_(channels), masses_(static_cast<std::size_t>(run.films->count())) {
+    std::vector<double> members(masses_.size());
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      const auto f = static_cast<std::size_t>(run.films->film_of_group(static_cast<int>(g)));
+      double light = 0;
+      for (std::size_t k = 0; k < groups[g].film->bins(); ++k) light += groups[g].film->weight(k);
+      masses_[f] += groups[g].scale / groups[g].weight * light;
+      ++members[f];
+    }
+    for (std::size_t f = 0; f < masses_.size(); ++f) mass_ += masses_[f] /= members[f];
+    samples_ = static_cast<double>(run.samples->samples());
+    for (std::size_t f = 0; f < masses_.size(); ++f)
+      parts_.push_back(luminance_of(bins(), channels, [&](std::size_t j) { return part(f, j); }));
+  }
+
+  std::size_t films() const { return masses_.size(); }
+  std::size_t bins() const { return run_.films->bins(); }
+  double weight() const { return run_.weight * static_cast<double>(films()); }
+  bool is_lit(std::size_t film) const { return masses_[film] > 0; }
+  const SharedLight& light() const { return run_; }
+  // S_j / pixels of the mean of all films' deposits.
+  double scale_of_mean() const {
+    return mass_ > 0 ? static_cast<double>(films()) * run_.scale / mass_ : 0;
+  }
+
+  // E_j / pixels
+  OfBin of_samples(std::size_t bin) const {
+    const auto [sum, squares] = run_.samples->sums(bin);
+    const double mean = sum / samples_;
+    return {mean, std::max(0.0, squares / samples_ - mean * mean) / (samples_ - 1)};
+  }
+  double mean_of_samples() const {
+    return luminance_of(bins(), channels_, [&](std::size_t j) { return of_samples(j).value; });
+  }
+  // S_j / pixels, and the same without a film.
+  double of_chains(std::size_t bin) const {
+    double sum = 0;
+    for (std::size_t f = 0; f < films(); ++f) sum += part(f, bin);
+    return mass_ > 0 ? sum / mass_ : 0;
+  }
+  double of_chains_without(double whole, std::size_t film, std::size_t bin) const {
+    return rest(whole, part(film, bin), film);
+  }
+  double mean_of_chains() const {
+    double sum = 0;
+    for (const double light : parts_) sum += light;
+    return mass_ > 0 ? sum / mass_ : 0;
+  }
+  double mean_of_chains_without(std::size_t film) const {
+    return rest(mean_of_chains(), parts_[film], film);
+  }
+
+ private:
+  double part(std::size_t film, std::size_t bin) const {
+    return run_.scale * run_.films->deposits(film, bin);
+  }
+  double rest(double whole, double of_film, std::size_t film) const {
+    const double mass = mass_ - masses_[film];
+    return mass > 1e-12 * mass_ ? (whole * mass_ - of_film) / mass : not_known;
+  }
+
+  const SharedLight& run_;
+  int channels_;
+  std::vector<double> masses_, parts_;  // by film: all its light, and the part that is in it
+  double mass_ = 0, samples_ = 0;
+};
+
+void add_lengths(std::map<int, std::vector<double>>& films, const SharedLight& run,
+                 std::span<const int> shape, double samples, double chains) {
+  const auto add = [&films](int vertices, const std::vector<double>& values, double factor) {
+    auto& sum = films[vertices];
+    sum.resize(values.size());
+    for (std::size_t j = 0; j < values.size(); ++j) sum[j] += factor * values[j];
+  };
+  for (const auto& [vertices, values] : run.samples->by_length(shape))
+    add(vertices, values, samples);
+  for (std::size_t n = 0; n < run.films->lengths(); ++n) {
+    const std::vector<double> mean = run.films->mean_of_length(n);
+    if (!mean.empty()) add(static_cast<int>(n) + 2, mean, chains);
+  }
+}
+
+// All runs, by their weights.
+class Pool {
+ public:
+  Pool(std::span<const SharedLight> runs, std::span<const GroupFindings> groups,
+       const Constant& constant, int channels)
+      : b_(constant.b.value), without_(without_films(runs, constant)) {
+    std::size_t first = 0;
+    double all = 0;
+    for (const SharedLight& run : runs) {
+      const auto count = static_cast<std::size_t>(run.films->groups());
+      all += runs_.emplace_back(run, groups.subspan(first, count), channels).weight();
+      weights_.insert(weights_.end(), static_cast<std::size_t>(run.films->count()), run.weight);
+      first += count;
+    }
+    double samples = 0, chains = 0;
+    for (const RunLight& run : runs_) {
+      const double share = run.weight() / all, films = static_cast<double>(run.films());
+      shares_.push_back(share);
+      pulls_.push_back(films > 1 ? (films - 1) * (share / films) / (1 - share / films) : 1);
+      samples += share * run.mean_of_samples();
+      chains += share * run.mean_of_chains();
+    }
+    level_ = b_ / (samples + b_ * chains);
+    of_samples_ = level_ * samples / b_;
+    for (std::size_t p = 0; p < runs_.size(); ++p)
+      for (std::size_t f = 0; f < runs_[p].films(); ++f) {
+        const double b = without_[levels_.size()];
+        const double moved = runs_[p].mean_of_chains_without(f) - runs_[p].mean_of_chains();
+        levels_.push_back(b / (samples + b * (chains + pulls_[p] * moved)));
+      }
+  }
+
+  double light_of_samples() const { return of_samples_; }
+  std::size_t bins() const { return runs_.front().bins(); }
+  std::size_t films() const { return levels_.size(); }
+  std::size_t lit() const {
+    std::size_t count = 0;
+    for (const RunLight& run : runs_)
+      for (std::size_t f = 0; f < run.films(); ++f) count += run.is_lit(f) ? 1 : 0;
+    return count;
+  }
+
+  // Value and variance of the samples' part; values of all without each film.
+  struct Light {
+    double value, variance_of_samples;
+  };
+  Light at(std::size_t bin, std::vector<double>& without) const {
+    double samples = 0, variance = 0, chains = 0;
+    of_chains_.clear();
+    for (std::size_t p = 0; p < runs_.size(); ++p) {
+      const OfBin found = runs_[p].of_samples(bin);
+      samples += shares_[p] * found.value;
+      variance += shares_[p] * shares_[p] * found.variance;
+      chains += shares_[p] * of_chains_.emplace_back(runs_[p].of_chains(bin));
+    }
+    without.clear();
+    for (std::size_t p = 0; p < runs_.size(); ++p)
+      for (std::size_t f = 0; f < runs_[p].films(); ++f) {
+        const std::size_t k = without.size();
+        const double moved = runs_[p].of_chains_without(of_chains_[p], f, bin) - of_chains_[p];
+        without.push_back(levels_[k] * (samples + without_[k] * (chains + pulls_[p] * moved)));
+      }
+    return {level_ * (samples + b_ * chains), level_ * level_ * variance};
+  }
+  std::span<const double> weights() const { return weights_; }
+  std::map<int, std::vector<double>> by_length(std::span<const int> shape) const {
+    std::map<int, std::vector<double>> films;
+    const double pixels = static_cast<double>(bins()) / channels_of(shape);
+    for (std::size_t p = 0; p < runs_.size(); ++p) {
+      const double factor = level_ * shares_[p];
+      add_lengths(films, runs_[p].light(), shape, factor,
+                  factor * b_ * pixels * runs_[p].scale_of_mean());
+    }
+    return films;
+  }
+
+ private:
+  double b_;
+  std::vector<double> without_;  // b without each film
+  std::vector<RunLight> runs_;
+  std::vector<double> shares_, pulls_;    // by run (pooled_film.cpp)
+  std::vector<double> weights_, levels_;  // by film
+  double level_ = 1, of_samples_ = 0;
+  mutable std::vector<double> of_chains_;  // of one bin, by run
+};
+
+}  // namespace
+
+PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupFindings> groups,
+                       const Constant& constant, std::vector<int> shape) {
+  const int channels = channels_of(shape);
+  const Pool pool(runs, groups, constant, channels);
+  const double pixels = static_cast<double>(pool.bins()) / channels;
+  const bool is_lit = pool.lit() >= static_cast<std::size_t>(GroupsFilm::fewest_groups);
+  FilmEstimate film{.shape = std::move(shape)};
+  make_room(film);
+  std::vector<double> without, deviations(pool.films());  // squared, of all bins together
+  double of_samples = 0, of_chains = 0;                   // variance of all bins
+  for (std::size_t j = 0; j < pool.bins(); ++j) {
+    const auto [value, variance] = pool.at(j, without);
+    const double of_films = jackknife_error(without, pool.weights());
+    const double error = std::sqrt(variance + of_films * of_films);
+    film.value.push_back(pixels * value);
+    film.standard_error.push_back(pixels * error);
+    film.reliable.push_back(is_lit && value > 0 &&
+                            value * value >= fewest_effective_samples * error * error);
+    of_samples += variance;
+    of_chains += of_films * of_films;
+    for (std::size_t f = 0; f < without.size(); ++f)
+      deviations[f] += (without[f] - value) * (without[f] - value);
+  }
+  // The samples' part has as many as it has samples [Satterthwaite 1946].
+  const double ratio = 1 + of_samples / of_chains;
+  film.degrees_of_freedom = std::min(jackknife_degrees(deviations) * ratio * ratio, 1e6);
+  film.by_length = pool.by_length(film.shape);
+  return {std::move(film), pool.light_of_samples()};
+}
+
+FilmEstimate total_film(std::span<const SharedLight> runs, const Constant& constant,
+                        std::vector<int> shape) {
+  const int channels = channels_of(shape);
+  const std::size_t bins = runs.front().films->bins();
+  const auto at = [runs](std::size_t j) {
+    double sum = 0;
+    for (const SharedLight& run : runs) sum += run.weight * run.scale * (*run.total)[j];
+    return sum;
+  };
+  const double mass = luminance_of(bins, channels, at);
+  const double factor = constant.b.value * static_cast<double>(bins) / channels / mass;
+  FilmEstimate film{.shape = std::move(shape)};
+  for (std::size_t j = 0; j < bins; ++j) film.value.push_back(factor * at(j));
+  return film;
+}
+
+}  // namespace wander

@@ -1,0 +1,74 @@
+// One film from independent samples and chains: a partition of path space.
+//
+// A bidirectional sample finds paths with intensity p̄(z) = Σ_{s,t} p_{s,t}(z).  With l = f/p̄ and any
+// c > 0 that does not depend on what it weighs, the light on a bin is
+//
+//   I_j = ∫_j f w_B + ∫_j f w_M,   w_B = c / (l + c),   w_M = l / (l + c).
+//
+// The first part is left to the samples: a path that one finds deposits l w_B < c, so that no sample
+// is a firefly.  The second is left to the chains, whose deposits count w_M times.  c → ∞ is
+// bidirectional path tracing, c → 0 the film of the chains alone.  docs/pooled-film.md derives it.
+//
+// Relatives: Kelemen's weights of large steps (primary_estimator.h); selectively metropolised light
+// transport [Bitterli and Jarosz 2019]; the balance heuristic [Veach and Guibas 1995].
+#pragma once
+
+#include "mlt/seeds/ratio_histogram.h"
+
+namespace wander {
+
+struct Partition {
+  double c = 0;
+
+  double of_samples(double l) const { return c / (l + c); }
+  double of_chains(double l) const { return l / (l + c); }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(c);
+  }
+};
+
+// Which paths samples take, and how many samples there are.
+struct Pooling {
+  Partition partition{};
+  double samples_per_step = 0;
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(partition, samples_per_step);
+  }
+};
+
+// What a pilot knows: samples that are no part of a film.
+struct Pilot {
+  RatioHistogram ratios{};  // l of what it found
+  double samples = 0;
+  double rays = 0;  // of all samples
+
+  void merge(const Pilot& other) {
+    ratios.add(other.ratios, 1);
+    samples += other.samples;
+    rays += other.rays;
+  }
+};
+
+// How many steps of a chain are taken to tell as much as one independent draw; and how many rays of
+// samples to cost as much as a step.
+inline constexpr double steps_per_draw = 16, rays_per_step = 8;
+
+// With ρ samples per step, the balance heuristic between n_B samples and n_M = n_B / (ρ τ) draws is
+//   c = b n_B / n_M = b ρ τ,   τ = steps_per_draw,
+// and the variance of the film, over all bins and times the steps, is at most
+//   V(ρ) = E_B[Σ (l w_B)²] / ρ + τ b E_B[Σ l w_M²].
+// The ρ that has the least V(ρ) (1 + ρ κ), with κ the cost of a sample in steps, of the powers of two between these.
+inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 8;
+Pooling best_pooling(const Pilot& pilot);
+
+// The same for so many samples per step; nothing is left to samples where the pilot found no light.
+Pooling pooling(const Pilot& pilot, double samples_per_step);
+
+// Did enough of its samples find light to choose by?
+bool is_telling(const Pilot& pilot);
+
+}  // namespace wander

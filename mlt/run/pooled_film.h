@@ -1,0 +1,35 @@
+// The film of samples and chains together (partition.h).  Of one run
+//
+//   I_j = s (E_j + b S_j),
+//   E_j = bins · Σ_g (light l w_B that samples of group g deposit on j) / Σ_g (its samples),
+//   S_j = bins · Σ_g b_g D^M_gj / Σ_g b_g D_g,
+//
+// with D the deposits of its chains per step, D^M those that count w_M times, and b the normalization
+// constant.  E + b S has the mean b E_π[w_M] + ∫ f w_B, which is b if b is right; s makes it so:
+// its level then is what bridge sampling knows of it.  With c = b n_B / n_M both are the same
+// estimate of b, for b E_π[w_B] = ∫ f w_B is the equation that the bridge solves (bridge.h).
+//
+// Error.  Delete-a-group jackknife: a group takes its samples, its chains and its part in b along, so
+// what they have in common is counted.  Of several runs, each with a c of its own, the film is the mean
+// of theirs by their weights.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/film_estimate.h"
+#include "mlt/run/group_findings.h"
+#include "mlt/run/normalization.h"
+
+namespace wander {
+
+struct PooledFilm {
+  FilmEstimate film;
+  double light_of_samples;  // the share of the light that samples carry, s E̅ / b
+};
+
+// `groups_of_runs`: how many groups are of the first run, of the second, …
+PooledFilm pooled_film(std::span<const GroupFindings> groups, std::span<const int> groups_of_runs,
+                       const Constant& constant, std::vector<int> shape);
+
+}  // namespace wander

@@ -1,0 +1,94 @@
+// The border between samples and chains, chosen from a pilot.
+#include "mlt/run/partition.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace wander::test {
+namespace {
+
+// Of each ratio, so many paths.
+Pilot pilot_of(std::initializer_list<std::pair<double, int>> paths, double samples = 10'000) {
+  Pilot pilot{.samples = samples, .rays = rays_per_step * samples};  // one costs as much as a step
+  for (const auto& [ratio, count] : paths)
+    for (int i = 0; i < count; ++i) pilot.ratios.add(ratio);
+  return pilot;
+}
+double work(const Pilot& pilot, double rho) {
+  const Pooling with = pooling(pilot, rho);
+  double b = 0, samples = 0, chains = 0;
+  for (int i = pilot.ratios.first(); i < pilot.ratios.end(); ++i) {
+    const auto [count, sum] = pilot.ratios[i];
+    if (count == 0) continue;
+    const double l = sum / count, c = with.partition.c;
+    b += sum / pilot.samples;
+    samples += count / pilot.samples * std::pow(c * l / (l + c), 2);
+    chains += count / pilot.samples * l * std::pow(l / (l + c), 2);
+  }
+  return (samples / rho + steps_per_draw * b * chains) * (1 + rho);
+}
+
+TEST(Partition, LeavesNothingOut) {
+  for (const double c : {1e-3, 1.0, 50.0})
+    for (const double l : {1e-6, 0.3, 1.0, 1e9}) {
+      EXPECT_NEAR(Partition{c}.of_samples(l) + Partition{c}.of_chains(l), 1, 1e-15);
+      EXPECT_LE(l * Partition{c}.of_samples(l), c) << "no sample is a firefly";
+    }
+  EXPECT_EQ(Partition{}.of_chains(0.5), 1) << "no border: all is left to the chains";
+}
+
+TEST(Pooling, IsTheBalanceOfSamplesAndDraws) {
+  const Pooling even = pooling(pilot_of({{2, 5000}}), 0.5);
+  EXPECT_DOUBLE_EQ(even.samples_per_step, 0.5);
+  EXPECT_NEAR(even.partition.c, 1.0 * 0.5 * steps_per_draw, 1e-12) << "b = 1";
+}
+
+TEST(Pooling, TakesTheLeastWork) {
+  for (const Pilot& pilot :
+       {pilot_of({{1, 9000}, {2, 500}}), pilot_of({{1, 5000}, {400, 20}, {1e4, 1}}),
+        pilot_of({{0.1, 3000}, {30, 100}})}) {
+    if (!is_telling(pilot)) continue;
+    const Pooling best = best_pooling(pilot);
+    for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2)
+      EXPECT_LE(work(pilot, best.samples_per_step), work(pilot, rho) * (1 + 1e-9)) << rho;
+  }
+}
+
+// Where all paths have the same l samples have no variance but that of their number; where a few carry
+// all light they are hopeless.
+TEST(Pooling, MakesManySamplesWhereLightIsEasyAndFewWhereItIsHard) {
+  EXPECT_EQ(best_pooling(pilot_of({{1, 10'000}})).samples_per_step, most_samples_per_step);
+  const Pilot hard = pilot_of({{1e4, 100}});
+  ASSERT_TRUE(is_telling(hard));
+  EXPECT_LT(best_pooling(hard).samples_per_step, 0.5);
+  const Pilot dark = pilot_of({{1e4, 3}});
+  EXPECT_FALSE(is_telling(dark));
+  EXPECT_EQ(best_pooling(dark).samples_per_step, fewest_samples_per_step);
+}
+
+TEST(Pooling, KnowsNoUnitOfLight) {
+  Pilot one = pilot_of({{1.3, 4000}, {77, 50}}), other = pilot_of({});
+  for (int i = one.ratios.first(); i < one.ratios.end(); ++i) {
+    const auto [count, sum] = one.ratios[i];
+    for (int k = 0; k < static_cast<int>(count); ++k) other.ratios.add(0x1p40 * sum / count);
+  }
+  const Pooling a = best_pooling(one), b = best_pooling(other);
+  EXPECT_EQ(a.samples_per_step, b.samples_per_step);
+  EXPECT_NEAR(b.partition.c, 0x1p40 * a.partition.c, 1e-9 * b.partition.c);
+}
+
+TEST(Pooling, LeavesAllToTheChainsWhereThePilotSawNothing) {
+  EXPECT_EQ(best_pooling(pilot_of({})).partition.c, 0);
+}
+
+TEST(Pilots, AddUp) {
+  Pilot sum = pilot_of({{1, 10}}, 100);
+  sum.merge(pilot_of({{8, 5}}, 50));
+  EXPECT_EQ(sum.samples, 150);
+  EXPECT_EQ(sum.rays, 150 * rays_per_step);
+  EXPECT_EQ(sum.ratios.count(), 15);
+}
+
+}  // namespace
+}  // namespace wander::test
