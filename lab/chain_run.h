@@ -53,7 +53,8 @@ class ChainRun final : public LiveRun {
       if (is_telling(pilot)) break;
     }
     if (run_.is_interrupted()) return;
-    pooling_ = settings_.seed_share ? pooling(pilot, *settings_.seed_share) : best_pooling(pilot);
+    pooling_ = settings_.seed_share ? pooling(pilot, *settings_.seed_share)
+                                    : best_pooling(pilot, values_of(shape()));
     // Where samples go on beside the chains, seeds need no more than the fewest.
     if (!settings_.seed_share && is_telling(pilot)) seed_share_ = 0;
     groups_->pool(*pooling_);

@@ -24,14 +24,17 @@ double light(const Pilot& pilot) {
 }
 
 // V(ρ)
-double variance(const Pilot& pilot, const Pooling& with) {
-  double of_samples = 0, of_chains = 0;
+double variance(const Pilot& pilot, const Pooling& with, std::size_t bins) {
+  double of_samples = 0, of_chains = 0, easy = 0;
   for_each_cell(pilot, [&](double paths, double l) {
     const double w_B = with.partition.of_samples(l), w_M = with.partition.of_chains(l);
-    of_samples += paths * l * w_B * l * w_B;
+    of_samples += paths * l * w_B * l * w_B / with.samples_per_step;
     of_chains += paths * l * w_M * w_M;
+    easy += paths * l * w_B;
   });
-  return of_samples / with.samples_per_step + steps_per_draw * light(pilot) * of_chains;
+  const double b = light(pilot);
+  return of_samples + steps_per_draw * b * of_chains +
+         b * b * of_samples / (static_cast<double>(bins) * easy * easy);
 }
 
 }  // namespace
@@ -49,14 +52,14 @@ Pooling pooling(const Pilot& pilot, double samples_per_step) {
   return {{light(pilot) * samples_per_step * steps_per_draw}, samples_per_step};
 }
 
-Pooling best_pooling(const Pilot& pilot) {
+Pooling best_pooling(const Pilot& pilot, std::size_t bins) {
   Pooling best = pooling(pilot, fewest_samples_per_step);
   if (!is_telling(pilot)) return best;
   double least = std::numeric_limits<double>::infinity();
   const double cost = pilot.rays / pilot.samples / rays_per_step;
   for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2) {
     const Pooling tried = pooling(pilot, rho);
-    const double work = variance(pilot, tried) * (1 + rho * cost);
+    const double work = variance(pilot, tried, bins) * (1 + rho * cost);
     if (work < least) {
       least = work;
       best = tried;

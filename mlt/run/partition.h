@@ -13,6 +13,8 @@
 // transport [Bitterli and Jarosz 2019]; the balance heuristic [Veach and Guibas 1995].
 #pragma once
 
+#include <cstddef>
+
 #include "mlt/seeds/ratio_histogram.h"
 
 namespace wander {
@@ -59,11 +61,11 @@ inline constexpr double steps_per_draw = 16, rays_per_step = 8;
 
 // With ρ samples per step, the balance heuristic between n_B samples and n_M = n_B / (ρ τ) draws is
 //   c = b n_B / n_M = b ρ τ,   τ = steps_per_draw,
-// and the variance of the film, over all bins and times the steps, is at most
-//   V(ρ) = E_B[Σ (l w_B)²] / ρ + τ b E_B[Σ l w_M²].
-// The ρ that has the least V(ρ) (1 + ρ κ), with κ the cost of a sample in steps, of the powers of two between these.
+// and the variance of the film, summed over all bins and times the steps, is about
+//   V(ρ) = A + τ b E_B[Σ l w_M²] + b² A / (bins (∫ f w_B)²),   A = E_B[Σ (l w_B)²] / ρ:
+// the samples' part, the chains', and that of b itself (pooled_film.h), which moves all bins.  The ρ that has the least V(ρ) (1 + ρ κ), with κ the cost of a sample in steps, of the powers of two between these.
 inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 8;
-Pooling best_pooling(const Pilot& pilot);
+Pooling best_pooling(const Pilot& pilot, std::size_t bins);
 
 // The same for so many samples per step; nothing is left to samples where the pilot found no light.
 Pooling pooling(const Pilot& pilot, double samples_per_step);

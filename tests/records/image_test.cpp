@@ -105,19 +105,34 @@ Picture decoded(const std::string& bytes, std::uint32_t format) {
 
 TEST_F(Image, HasAChannelForEachLayerOfOneChannel) {
   write_file(folder / "film.exr", to_exr(chains_image_run(5, 3, 1)));
-  EXPECT_EQ(channels_in(folder / "film.exr"),
-            (std::vector<std::string>{"Y", "acceptance.lens.Y", "proposed.lens.Y", "reliable.Y",
-                                      "standard_error.Y", "vertices_2.Y", "vertices_5.Y"}));
+  EXPECT_EQ(
+      channels_in(folder / "film.exr"),
+      (std::vector<std::string>{"Y", "acceptance.lens.Y", "chains.Y", "proposed.lens.Y",
+                                "reliable.Y", "standard_error.Y", "vertices_2.Y", "vertices_5.Y"}));
 }
 
 TEST_F(Image, HasThreeChannelsForEachLayerOfColour) {
   write_file(folder / "film.exr", to_exr(chains_image_run(5, 3, 3)));
-  EXPECT_EQ(
-      channels_in(folder / "film.exr"),
-      (std::vector<std::string>{"B", "G", "R", "acceptance.lens.Y", "proposed.lens.Y", "reliable.B",
-                                "reliable.G", "reliable.R", "standard_error.B", "standard_error.G",
-                                "standard_error.R", "vertices_2.B", "vertices_2.G", "vertices_2.R",
-                                "vertices_5.B", "vertices_5.G", "vertices_5.R"}));
+  EXPECT_EQ(channels_in(folder / "film.exr"), (std::vector<std::string>{"B",
+                                                                        "G",
+                                                                        "R",
+                                                                        "acceptance.lens.Y",
+                                                                        "chains.B",
+                                                                        "chains.G",
+                                                                        "chains.R",
+                                                                        "proposed.lens.Y",
+                                                                        "reliable.B",
+                                                                        "reliable.G",
+                                                                        "reliable.R",
+                                                                        "standard_error.B",
+                                                                        "standard_error.G",
+                                                                        "standard_error.R",
+                                                                        "vertices_2.B",
+                                                                        "vertices_2.G",
+                                                                        "vertices_2.R",
+                                                                        "vertices_5.B",
+                                                                        "vertices_5.G",
+                                                                        "vertices_5.R"}));
 }
 
 // More rows than are written at once.
@@ -204,6 +219,9 @@ TEST_F(Image, ReadsBackFromNetcdfToTheLastBit) {
     EXPECT_EQ(read.degrees_of_freedom, film.degrees_of_freedom);
     ASSERT_EQ(read.by_length.size(), 2u);
     EXPECT_TRUE(same(read.by_length.at(5), film.by_length.at(5)));
+    ASSERT_TRUE(back.rendering.chains_film);
+    EXPECT_TRUE(same(back.rendering.chains_film->value, run.rendering.chains_film->value));
+    EXPECT_TRUE(back.rendering.chains_film->standard_error.empty()) << "not known of an image";
     ASSERT_EQ(back.rendering.mutations.size(), 1u);
     const MutationRecord &lens = run.rendering.mutations[0], &again = back.rendering.mutations[0];
     EXPECT_EQ(again.name, "lens");
@@ -228,7 +246,7 @@ TEST_F(Image, HasTheDimensionsAndVariablesOfItsLayout) {
   const std::vector<std::string> names = file.variables();
   EXPECT_EQ((std::set<std::string>{names.begin(), names.end()}),
             (std::set<std::string>{"channel", "value", "standard_error", "reliable", "vertices_2",
-                                   "vertices_5", "acceptance.lens", "proposed.lens"}));
+                                   "vertices_5", "chains", "acceptance.lens", "proposed.lens"}));
   EXPECT_EQ(file.lengths("value"), (std::vector<std::size_t>{3, 5, 3}));
   EXPECT_EQ(file.lengths("acceptance.lens"), (std::vector<std::size_t>{3, 5}));
   EXPECT_EQ(file.text("format"), "wanderlight-film/1");

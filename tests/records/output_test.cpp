@@ -97,6 +97,9 @@ RunRecord markov_chain_run() {
   rendering.film.reliable = {true, false, true};
   rendering.film.degrees_of_freedom = 31;
   rendering.film.by_length = {{2, {0.1, 0, 0}}, {5, {0, 1e-30, 1 / 3.0}}};
+  rendering.pooling = {0.125, 250'000, 0.75};
+  rendering.chains_film = FilmEstimate{
+      .shape = {3}, .value = {0.2, 1e-31, 2 / 3.0}, .standard_error = {0.02, unknown, 1e-2}};
   rendering.normalization.emplace();
   rendering.normalization->value = 0.6;
   rendering.normalization->standard_error = 0.002;
@@ -211,6 +214,9 @@ TEST_F(Output, AnExrReadsBackWhatItHolds) {
   EXPECT_TRUE(std::isnan(back.rendering.film.standard_error[1]));
   ASSERT_EQ(back.rendering.film.by_length.size(), 2U);
   EXPECT_FLOAT_EQ(static_cast<float>(back.rendering.film.by_length.at(5)[2]), 1 / 3.F);
+  ASSERT_TRUE(back.rendering.chains_film);
+  EXPECT_FLOAT_EQ(static_cast<float>(back.rendering.chains_film->value[2]), 2 / 3.F);
+  EXPECT_FLOAT_EQ(static_cast<float>(back.rendering.chains_film->standard_error[0]), 0.02F);
   EXPECT_EQ(back.rendering.normalization.value().value, 0.6);
   EXPECT_EQ(back.rendering.normalization.value().standard_error, 0.002);
   ASSERT_EQ(back.rendering.mutations.size(), 1U);

@@ -15,9 +15,11 @@ Pilot pilot_of(std::initializer_list<std::pair<double, int>> paths, double sampl
     for (int i = 0; i < count; ++i) pilot.ratios.add(ratio);
   return pilot;
 }
+constexpr std::size_t bins = 100;
+
 double work(const Pilot& pilot, double rho) {
   const Pooling with = pooling(pilot, rho);
-  double b = 0, samples = 0, chains = 0;
+  double b = 0, samples = 0, chains = 0, easy = 0;
   for (int i = pilot.ratios.first(); i < pilot.ratios.end(); ++i) {
     const auto [count, sum] = pilot.ratios[i];
     if (count == 0) continue;
@@ -25,8 +27,10 @@ double work(const Pilot& pilot, double rho) {
     b += sum / pilot.samples;
     samples += count / pilot.samples * std::pow(c * l / (l + c), 2);
     chains += count / pilot.samples * l * std::pow(l / (l + c), 2);
+    easy += count / pilot.samples * c * l / (l + c);
   }
-  return (samples / rho + steps_per_draw * b * chains) * (1 + rho);
+  const double of_b = std::pow(b / easy, 2) * samples / bins;
+  return ((samples + of_b) / rho + steps_per_draw * b * chains) * (1 + rho);
 }
 
 TEST(Partition, LeavesNothingOut) {
@@ -49,7 +53,7 @@ TEST(Pooling, TakesTheLeastWork) {
        {pilot_of({{1, 9000}, {2, 500}}), pilot_of({{1, 5000}, {400, 20}, {1e4, 1}}),
         pilot_of({{0.1, 3000}, {30, 100}})}) {
     if (!is_telling(pilot)) continue;
-    const Pooling best = best_pooling(pilot);
+    const Pooling best = best_pooling(pilot, bins);
     for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2)
       EXPECT_LE(work(pilot, best.samples_per_step), work(pilot, rho) * (1 + 1e-9)) << rho;
   }
@@ -58,13 +62,13 @@ TEST(Pooling, TakesTheLeastWork) {
 // Where all paths have the same l samples have no variance but that of their number; where a few carry
 // all light they are hopeless.
 TEST(Pooling, MakesManySamplesWhereLightIsEasyAndFewWhereItIsHard) {
-  EXPECT_EQ(best_pooling(pilot_of({{1, 10'000}})).samples_per_step, most_samples_per_step);
+  EXPECT_EQ(best_pooling(pilot_of({{1, 10'000}}), bins).samples_per_step, most_samples_per_step);
   const Pilot hard = pilot_of({{1e4, 100}});
   ASSERT_TRUE(is_telling(hard));
-  EXPECT_LT(best_pooling(hard).samples_per_step, 0.5);
+  EXPECT_LT(best_pooling(hard, bins).samples_per_step, 0.5);
   const Pilot dark = pilot_of({{1e4, 3}});
   EXPECT_FALSE(is_telling(dark));
-  EXPECT_EQ(best_pooling(dark).samples_per_step, fewest_samples_per_step);
+  EXPECT_EQ(best_pooling(dark, bins).samples_per_step, fewest_samples_per_step);
 }
 
 TEST(Pooling, KnowsNoUnitOfLight) {
@@ -73,13 +77,13 @@ TEST(Pooling, KnowsNoUnitOfLight) {
     const auto [count, sum] = one.ratios[i];
     for (int k = 0; k < static_cast<int>(count); ++k) other.ratios.add(0x1p40 * sum / count);
   }
-  const Pooling a = best_pooling(one), b = best_pooling(other);
+  const Pooling a = best_pooling(one, bins), b = best_pooling(other, bins);
   EXPECT_EQ(a.samples_per_step, b.samples_per_step);
   EXPECT_NEAR(b.partition.c, 0x1p40 * a.partition.c, 1e-9 * b.partition.c);
 }
 
 TEST(Pooling, LeavesAllToTheChainsWhereThePilotSawNothing) {
-  EXPECT_EQ(best_pooling(pilot_of({})).partition.c, 0);
+  EXPECT_EQ(best_pooling(pilot_of({}), bins).partition.c, 0);
 }
 
 TEST(Pilots, AddUp) {

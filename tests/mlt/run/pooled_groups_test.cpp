@@ -53,7 +53,7 @@ class Trial {
     std::vector<Moments> bins(exact.size());
     for (int g = 0; g < groups; ++g) add(g, bins);
     Decision worst{.test = "pooled groups", .passed = true};
-    const double each = sidak_rate(usual_false_alarm, static_cast<double>(exact.size()));
+    const double each = sidak_rate(usual_false_alarm, exact.size());
     for (std::size_t j = 0; j < exact.size(); ++j) {
       const Decision decision = t_test(bins[j], exact[j], each);
       if (decision.p_value <= worst.p_value) worst = decision;
