@@ -5,6 +5,7 @@
 // order.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cereal/archives/binary.hpp>
 #include <cereal/types/array.hpp>
@@ -13,6 +14,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <variant>
 
 #include "lab/chain_findings.h"
 #include "lab/live_run.h"
@@ -20,6 +22,7 @@
 #include "mlt/run/large_film.h"
 #include "mlt/run/normalization.h"
 #include "mlt/run/path_group.h"
+#include "mlt/run/pilot.h"
 #include "mlt/seeds/nothing_found.h"
 #include "work/parallel.h"
 
@@ -37,8 +40,8 @@ class ChainRun final : public LiveRun {
         run_(run),
         settings_(settings),
         seed_share_(settings.seed_share.value_or(ChainSettings::usual_seed_share)) {
-    make_ = [&space, kernel, &run](const ChainSettings& of) {
-      return std::make_unique<ChainGroups<Space, Chains>>(space, kernel, run, of);
+    make_ = [&space, kernel, &run](const ChainSettings& of, std::uint64_t seed) {
+      return std::make_unique<ChainGroups<Space, Chains>>(space, kernel, run, seed, of);
     };
     make_groups(settings.groups, settings.chains_per_group);
   }
@@ -47,11 +50,7 @@ class ChainRun final : public LiveRun {
   ChainSettings settings() const override { return settings_; }
   void prepare() override {
     if (is_prepared()) return;
-    Pilot pilot;
-    for (std::uint64_t count = pilot_samples; count <= most_pilot_samples; count *= 2) {
-      pilot = groups_->pilot(count / groups_->count() + 1);
-      if (is_telling(pilot)) break;
-    }
+    const Pilot pilot = make_pilot();
     if (run_.is_interrupted()) return;
     pooling_ = settings_.seed_share ? pooling(pilot, *settings_.seed_share)
                                     : best_pooling(pilot, values_of(shape()));
@@ -131,8 +130,43 @@ class ChainRun final : public LiveRun {
 
  private:
   static constexpr std::uint64_t steps_per_round = 1024;  // of each group
-  // Of the pilot, as many as it takes to tell.
+
+  // Of all groups together.
   static constexpr std::uint64_t pilot_samples = 1 << 13, most_pilot_samples = 1 << 15;
+  std::uint64_t steps_of_pilot() const {
+    constexpr double share = 1. / 32, steps_per_second = 1e6, fewest = 1 << 12, most = 1 << 18;
+    double steps = most;
+    if (const auto* budget = std::get_if<SampleBudget>(&run_.session().budget))
+      steps = share * static_cast<double>(budget->samples);
+    else if (const auto* budget = std::get_if<TimeBudget>(&run_.session().budget))
+      steps = share * steps_per_second * budget->seconds;
+    return static_cast<std::uint64_t>(std::clamp(steps, fewest, most));
+  }
+  Pilot make_pilot() const {
+    ChainSettings settings = settings_;
+    settings.chains_per_group = 1;
+    settings.film_parts = FilmParts::raster;
+    const auto trial = make_(settings, seed_of_pilot(run_.session().seed));
+    Pilot pilot;
+    for (std::uint64_t count = pilot_samples; count <= most_pilot_samples; count *= 2) {
+      trial->add_seeds(count / trial->count() + 1 - (*trial)[0].tally().samples);
+      pilot = found_by(*trial, 0);
+      if (is_telling(pilot) || run_.is_interrupted()) break;
+    }
+    if (!is_telling(pilot) || run_.is_interrupted()) return pilot;
+    trial->start(1);
+    trial->advance_to(steps_of_pilot());
+    return found_by(*trial, trial->steps() / trial->active());
+  }
+  static Pilot found_by(const ChainGroups<Space, Chains>& groups, std::uint64_t steps) {
+    std::vector<GroupFindings> found;
+    double rays = 0;
+    for (const auto& group : groups) {
+      found.push_back(group->findings());
+      rays += static_cast<double>(group->rays());
+    }
+    return pilot_of(found, rays, steps);
+  }
 
   bool is_prepared() const { return settings_.film_parts == FilmParts::chains || pooling_; }
   std::vector<int> shape() const { return space_.scene().film_shape(); }
@@ -144,7 +178,7 @@ class ChainRun final : public LiveRun {
   void make_groups(int groups, int chains_of_each) {
     settings_.groups = groups;
     settings_.chains_per_group = chains_made_ = chains_of_each;
-    groups_ = make_(settings_);
+    groups_ = make_(settings_, run_.session().seed);
   }
 
   const char* method_;
@@ -154,7 +188,9 @@ class ChainRun final : public LiveRun {
   int chains_made_ = 0;             // of each group, whether they run or not
   double seed_share_;               // of the seed pass before the chains
   std::optional<Pooling> pooling_;  // once the pilot has run
-  std::function<std::unique_ptr<ChainGroups<Space, Chains>>(const ChainSettings&)> make_;
+  std::function<std::unique_ptr<ChainGroups<Space, Chains>>(const ChainSettings&,
+                                                            std::uint64_t seed)>
+      make_;
   std::unique_ptr<ChainGroups<Space, Chains>> groups_;
 };
 

@@ -33,7 +33,7 @@ class ShownChains {
   // Makes the seed pass.  Throws NoLightFound or NothingComputed.
   template <class Kernel>
   ShownChains(const Space& space, const Kernel& kernel, Run& run, const ChainSettings& settings)
-      : groups_(space, kernel, run, settings), tally_(space.max_vertices()) {
+      : groups_(space, kernel, run, run.session().seed, settings), tally_(space.max_vertices()) {
     make_seeds(run, settings.fewest_seeds / groups_.count());
     tally_ = groups_.tally();
     if (!(tally_.total.value() > 0)) throw NoLightFound(tally_.samples);

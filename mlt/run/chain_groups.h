@@ -18,14 +18,15 @@ template <class Space, ChainSource Chains>
 class ChainGroups {
  public:
   template <class Kernel>
-  ChainGroups(const Space& space, const Kernel& kernel, const Run& run,
+  ChainGroups(const Space& space, const Kernel& kernel, const Run& run, std::uint64_t seed,
               const ChainSettings& settings)
       : max_vertices_(space.max_vertices()), run_(run) {
     for (int g = 0; g < settings.groups; ++g)
-      groups_.push_back(std::make_unique<Chains>(space, kernel, run.session().seed, g,
-                                                 settings.chains_per_group, settings.film));
+      groups_.push_back(std::make_unique<Chains>(space, kernel, seed, g, settings.chains_per_group,
+                                                 settings.film));
     const std::vector<int> film = space.scene().film_shape();
     if (!Group<Chains> || !settings.film.is_large(film)) return;
+    if (settings.film_parts == FilmParts::raster) return;
     shared_.emplace(film, space.max_vertices(), settings.groups, settings.film);
     if (settings.film_parts == FilmParts::chains) return;
     total_.emplace(values_of(film));
@@ -37,14 +38,6 @@ class ChainGroups {
   std::uint64_t count() const { return groups_.size(); }
   Chains& operator[](int group) const { return *groups_[static_cast<std::size_t>(group)]; }
 
-  // So many samples of each group, which are no part of anything else.
-  Pilot pilot(std::uint64_t count) requires Group<Chains> {
-    std::vector<Pilot> found(groups_.size());
-    on_all_threads([&](std::size_t g) { found[g] = groups_[g]->pilot(count); });
-    Pilot all;
-    for (const Pilot& of_group : found) all.merge(of_group);
-    return all;
-  }
   // Before the first sample: the film is pooled, and so many samples are made beside the chains.
   void pool(const Pooling& pooling) requires Group<Chains> {
     samples_per_step_ = pooling.samples_per_step;

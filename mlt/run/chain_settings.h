@@ -8,8 +8,9 @@
 
 namespace wander {
 
-// Of the chains alone, or of samples and chains together (partition.h).
-enum class FilmParts { chains, pooled };
+// What is kept of the film: that of the chains alone, or of samples and chains together (partition.h);
+// or of a large film nothing but its raster.
+enum class FilmParts { chains, pooled, raster };
 
 struct ChainSettings {
   int groups = 64;  // independent: their spread is the error bar

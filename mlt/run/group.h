@@ -24,8 +24,8 @@ concept Group = ChainSource<G> &&
     requires(G& group, const G& made, std::uint64_t count, GroupsFilm& film,
              MutationStatistics& statistics, ChainDraws& draws, SharedFilm& pixels,
              TotalFilm& total, LargeSampleFilm& samples) {
-  { made.pilot(count) } -> std::same_as<Pilot>;
-  group.divide(Partition{});  // before the first sample, if the film is pooled
+  { made.rays() } -> std::same_as<std::uint64_t>;  // of its samples
+  group.divide(Partition{});                       // before the first sample, if the film is pooled
   group.share(pixels, 1.0);
   group.share(pixels, total, 1.0);  // of a pooled film
   group.move_samples_to(samples);
@@ -54,7 +54,7 @@ class ChainGroup {
                     space.max_vertices()) {}
 
   static constexpr std::span<const std::string_view> move_names() { return Chains::move_names(); }
-  Pilot pilot(std::uint64_t count) const { return source_.pilot(count); }
+  std::uint64_t rays() const { return source_.rays(); }
   void divide(const Partition& partition) {
     const Space& space = source_.space();
     parts_.emplace(partition, space.scene().film_shape(), space.max_vertices(), layout_);

@@ -8,48 +8,56 @@ namespace {
 
 constexpr double enough_effective_samples = 64;
 
-// f(number of paths per sample, their l) for all cells of the histogram.
+// Σ over the cells of a histogram of f(number of paths, their l).
 template <class F>
-void for_each_cell(const Pilot& pilot, F&& f) {
-  for (int i = pilot.ratios.first(); i < pilot.ratios.end(); ++i) {
-    const RatioHistogram::Bin bin = pilot.ratios[i];
-    if (bin.count > 0) f(bin.count / pilot.samples, bin.sum / bin.count);
+double sum(const RatioHistogram& ratios, F&& f) {
+  double total = 0;
+  for (int i = ratios.first(); i < ratios.end(); ++i) {
+    const RatioHistogram::Bin bin = ratios[i];
+    if (bin.count > 0) total += f(bin.count, bin.sum / bin.count);
   }
+  return total;
 }
 
 double light(const Pilot& pilot) {
-  double b = 0;
-  for_each_cell(pilot, [&](double paths, double l) { b += paths * l; });
-  return b;
+  return sum(pilot.found, [](double paths, double l) { return paths * l; }) / pilot.samples;
+}
+
+// b E_π[g(l)]
+template <class G>
+double light_times(const Pilot& pilot, G&& g) {
+  if (pilot.states.count() > 0)
+    return light(pilot) *
+           sum(pilot.states, [&](double states, double l) { return states * g(l); }) /
+           pilot.states.count();
+  return sum(pilot.found, [&](double paths, double l) { return paths * l * g(l); }) / pilot.samples;
 }
 
 // V(ρ)
 double variance(const Pilot& pilot, const Pooling& with, std::size_t bins) {
-  double of_samples = 0, of_chains = 0, easy = 0;
-  for_each_cell(pilot, [&](double paths, double l) {
-    const double w_B = with.partition.of_samples(l), w_M = with.partition.of_chains(l);
-    of_samples += paths * l * w_B * l * w_B / with.samples_per_step;
-    of_chains += paths * l * w_M * w_M;
-    easy += paths * l * w_B;
-  });
+  const Partition& side = with.partition;
   const double b = light(pilot);
-  return of_samples + steps_per_draw * b * of_chains +
+  const double of_samples =
+      light_times(pilot, [&](double l) { return l * side.of_samples(l) * side.of_samples(l); }) /
+      with.samples_per_step;
+  const double of_chains =
+      light_times(pilot, [&](double l) { return side.of_chains(l) * side.of_chains(l); });
+  const double easy = light_times(pilot, [&](double l) { return side.of_samples(l); });
+  return of_samples + pilot.steps_per_draw * b * of_chains +
          b * b * of_samples / (static_cast<double>(bins) * easy * easy);
 }
 
 }  // namespace
 
 bool is_telling(const Pilot& pilot) {
-  double sum = 0, squares = 0;
-  for_each_cell(pilot, [&](double paths, double l) {
-    sum += paths * l;
-    squares += paths * l * l;
-  });
-  return squares > 0 && sum * sum / squares * pilot.samples >= enough_effective_samples;
+  const double all = sum(pilot.found, [](double paths, double l) { return paths * l; });
+  const double squares = sum(pilot.found, [](double paths, double l) { return paths * l * l; });
+  return squares > 0 && all * all / squares >= enough_effective_samples;
 }
 
 Pooling pooling(const Pilot& pilot, double samples_per_step) {
-  return {{light(pilot) * samples_per_step * steps_per_draw}, samples_per_step};
+  if (pilot.samples == 0) return {{}, samples_per_step};
+  return {{light(pilot) * samples_per_step * pilot.steps_per_draw}, samples_per_step};
 }
 
 Pooling best_pooling(const Pilot& pilot, std::size_t bins) {

@@ -42,28 +42,27 @@ struct Pooling {
   }
 };
 
-// What a pilot knows: samples that are no part of a film.
+// What a pilot knows (pilot.h): a small run that is no part of the film.
 struct Pilot {
-  RatioHistogram ratios{};  // l of what it found
-  double samples = 0;
-  double rays = 0;  // of all samples
-
-  void merge(const Pilot& other) {
-    ratios.add(other.ratios, 1);
-    samples += other.samples;
-    rays += other.rays;
-  }
+  // Of its samples, l of what they found, and how many rays they took; of its chains, l of their states.
+  RatioHistogram found{};
+  double samples = 0, rays = 0;
+  RatioHistogram states{};
+  // How many steps of a chain tell as much as one independent draw; of a usual scene.
+  double steps_per_draw = 16;
 };
 
-// How many steps of a chain are taken to tell as much as one independent draw; and how many rays of
-// samples to cost as much as a step.
-inline constexpr double steps_per_draw = 16, rays_per_step = 8;
+// How many rays of samples are taken to cost as much as a step.
+inline constexpr double rays_per_step = 8;
 
 // With ρ samples per step, the balance heuristic between n_B samples and n_M = n_B / (ρ τ) draws is
 //   c = b n_B / n_M = b ρ τ,   τ = steps_per_draw,
 // and the variance of the film, summed over all bins and times the steps, is about
-//   V(ρ) = A + τ b E_B[Σ l w_M²] + b² A / (bins (∫ f w_B)²),   A = E_B[Σ (l w_B)²] / ρ:
-// the samples' part, the chains', and that of b itself (pooled_film.h), which moves all bins.  The ρ that has the least V(ρ) (1 + ρ κ), with κ the cost of a sample in steps, of the powers of two between these.
+//   V(ρ) = A + τ b² E_π[w_M²] + b² A / (bins (∫ f w_B)²),   A = b E_π[l w_B²] / ρ:
+// the samples' part, the chains', and that of b itself (pooled_film.h), which moves all bins.  E_π is
+// over the states of the chains, which know the fireflies that samples have not yet drawn; without
+// states b E_π[g] is what the samples say of it, E_B[Σ l g].  The ρ that has the least V(ρ) (1 + ρ κ),
+// with κ the cost of a sample in steps, of the powers of two between these.
 inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 8;
 Pooling best_pooling(const Pilot& pilot, std::size_t bins);
 

@@ -12,7 +12,6 @@
 #include <string_view>
 
 #include "core/rng.h"
-#include "mlt/run/partition.h"
 #include "mlt/seeds/seed_pass.h"
 
 namespace wander {
@@ -98,15 +97,7 @@ class SeededChains {
   void add_seeds(std::uint64_t count, Watcher&& watcher = {}) {
     slice_.run(count, watcher);
   }
-  // Samples that are no part of any estimate.
-  Pilot pilot(std::uint64_t count) const {
-    SeedSlice<Space, Seeds> slice(space_, seed_, group_, 0, {}, Purpose::pilot);
-    slice.end_seeds();
-    slice.run(count);
-    Pilot pilot{.samples = static_cast<double>(count), .rays = static_cast<double>(slice.rays())};
-    for (const RatioHistogram& stratum : slice.evidence().ratios) pilot.ratios.add(stratum, 1);
-    return pilot;
-  }
+  std::uint64_t rays() const { return slice_.rays(); }
   const SeedTally& tally() const { return slice_.tally(); }
   const SeedTally& seed_tally() const { return slice_.seed_tally(); }
   const SeedEvidence& evidence() const { return slice_.evidence(); }
@@ -122,13 +113,12 @@ class SeededChains {
  protected:
   SeededChains(const Space& space, std::uint64_t seed, int group, int seeds,
                const FilmLayout& layout)
-      : space_(space), seed_(seed), group_(group), slice_(space, seed, group, seeds, layout) {}
+      : space_(space), seed_(seed), slice_(space, seed, group, seeds, layout) {}
 
   void end_seeds() { slice_.end_seeds(); }
 
   const Space& space_;
   std::uint64_t seed_;
-  int group_;
   SeedSlice<Space, Seeds> slice_;
 };
 

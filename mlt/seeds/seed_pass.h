@@ -63,10 +63,10 @@ class SeedSlice {
 
   // `count`: how many seeds.
   SeedSlice(const Space& space, std::uint64_t seed, int group, int count,
-            const FilmLayout& layout = {}, Purpose purpose = Purpose::seed_pass)
+            const FilmLayout& layout = {})
       : space_(&space),
         sampler_(space, all_techniques, Heuristic::balance),
-        samples_(seed, purpose, static_cast<std::uint32_t>(group)),
+        samples_(seed, Purpose::seed_pass, static_cast<std::uint32_t>(group)),
         seeds_(Rng(seed, Purpose::resample, static_cast<std::uint32_t>(group)), count),
         tally_(space.max_vertices()),
         of_seeds_(space.max_vertices()),

@@ -12,7 +12,7 @@ namespace {
 Pilot pilot_of(std::initializer_list<std::pair<double, int>> paths, double samples = 10'000) {
   Pilot pilot{.samples = samples, .rays = rays_per_step * samples};  // one costs as much as a step
   for (const auto& [ratio, count] : paths)
-    for (int i = 0; i < count; ++i) pilot.ratios.add(ratio);
+    for (int i = 0; i < count; ++i) pilot.found.add(ratio);
   return pilot;
 }
 constexpr std::size_t bins = 100;
@@ -20,8 +20,8 @@ constexpr std::size_t bins = 100;
 double work(const Pilot& pilot, double rho) {
   const Pooling with = pooling(pilot, rho);
   double b = 0, samples = 0, chains = 0, easy = 0;
-  for (int i = pilot.ratios.first(); i < pilot.ratios.end(); ++i) {
-    const auto [count, sum] = pilot.ratios[i];
+  for (int i = pilot.found.first(); i < pilot.found.end(); ++i) {
+    const auto [count, sum] = pilot.found[i];
     if (count == 0) continue;
     const double l = sum / count, c = with.partition.c;
     b += sum / pilot.samples;
@@ -30,7 +30,7 @@ double work(const Pilot& pilot, double rho) {
     easy += count / pilot.samples * c * l / (l + c);
   }
   const double of_b = std::pow(b / easy, 2) * samples / bins;
-  return ((samples + of_b) / rho + steps_per_draw * b * chains) * (1 + rho);
+  return ((samples + of_b) / rho + pilot.steps_per_draw * b * chains) * (1 + rho);
 }
 
 TEST(Partition, LeavesNothingOut) {
@@ -45,7 +45,7 @@ TEST(Partition, LeavesNothingOut) {
 TEST(Pooling, IsTheBalanceOfSamplesAndDraws) {
   const Pooling even = pooling(pilot_of({{2, 5000}}), 0.5);
   EXPECT_DOUBLE_EQ(even.samples_per_step, 0.5);
-  EXPECT_NEAR(even.partition.c, 1.0 * 0.5 * steps_per_draw, 1e-12) << "b = 1";
+  EXPECT_NEAR(even.partition.c, 1.0 * 0.5 * Pilot{}.steps_per_draw, 1e-12) << "b = 1";
 }
 
 TEST(Pooling, TakesTheLeastWork) {
@@ -73,9 +73,9 @@ TEST(Pooling, MakesManySamplesWhereLightIsEasyAndFewWhereItIsHard) {
 
 TEST(Pooling, KnowsNoUnitOfLight) {
   Pilot one = pilot_of({{1.3, 4000}, {77, 50}}), other = pilot_of({});
-  for (int i = one.ratios.first(); i < one.ratios.end(); ++i) {
-    const auto [count, sum] = one.ratios[i];
-    for (int k = 0; k < static_cast<int>(count); ++k) other.ratios.add(0x1p40 * sum / count);
+  for (int i = one.found.first(); i < one.found.end(); ++i) {
+    const auto [count, sum] = one.found[i];
+    for (int k = 0; k < static_cast<int>(count); ++k) other.found.add(0x1p40 * sum / count);
   }
   const Pooling a = best_pooling(one, bins), b = best_pooling(other, bins);
   EXPECT_EQ(a.samples_per_step, b.samples_per_step);
@@ -86,12 +86,13 @@ TEST(Pooling, LeavesAllToTheChainsWhereThePilotSawNothing) {
   EXPECT_EQ(best_pooling(pilot_of({}), bins).partition.c, 0);
 }
 
-TEST(Pilots, AddUp) {
-  Pilot sum = pilot_of({{1, 10}}, 100);
-  sum.merge(pilot_of({{8, 5}}, 50));
-  EXPECT_EQ(sum.samples, 150);
-  EXPECT_EQ(sum.rays, 150 * rays_per_step);
-  EXPECT_EQ(sum.ratios.count(), 15);
+// States tell of a firefly that the samples have not drawn; then its part of the light is no longer
+// theirs.
+TEST(Pooling, HearsOfFirefliesFromTheChains) {
+  Pilot pilot = pilot_of({{1, 10'000}});
+  EXPECT_EQ(best_pooling(pilot, bins).samples_per_step, most_samples_per_step);
+  for (int i = 0; i < 500; ++i) pilot.states.add(i % 2 == 0 ? 1 : 1e5);
+  EXPECT_LT(best_pooling(pilot, bins).samples_per_step, 1);
 }
 
 }  // namespace
