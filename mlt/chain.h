@@ -74,7 +74,7 @@ class Chain {
     Reason reason = Reason::metropolis;
     double a = 0;
     if (const Proposal* p = std::get_if<Proposal>(&outcome)) {
-      proposed_.contribution = contribution(proposed_);
+      if (!proposed_.is_weighed()) weigh(*space_, proposed_);
       const Reason flaw = flaw_of(*p);
       if (flaw != Reason::none) {
         outcome = Failure{flaw};
@@ -86,7 +86,6 @@ class Chain {
     if (const Failure* failure = std::get_if<Failure>(&outcome)) reason = failure->reason;
     observe(Step<W>{current_, proposed_, mutation, outcome, a, reason});
     if (reason != Reason::none) return;
-    weigh(*space_, proposed_);
     std::swap(current_, proposed_);
   }
 

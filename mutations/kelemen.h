@@ -10,6 +10,7 @@ namespace wander {
 
 struct Kelemen {
   double smallest = 1.0 / 1024, largest = 1.0 / 64;
+  double log_ratio = std::log(largest / smallest);
 
   // The same moves so many times as far; half the circle is the farthest.
   Kelemen scaled(double factor) const {
@@ -23,7 +24,6 @@ struct Kelemen {
 
   template <class Random>
   Move move(double u, Random& random) const {
-    const double log_ratio = std::log(largest / smallest);
     const double distance = largest * std::exp(-log_ratio * random.uniform());
     const double sign = random.uniform() < 0.5 ? -1 : 1;
     double v = u + sign * distance;

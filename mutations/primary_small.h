@@ -80,8 +80,12 @@ struct PrimarySmall {
 };
 
 inline constexpr std::array<Parameter<PrimarySmall>, 1> primary_small_parameters{
-    {{"step", "how far a random number moves, of [0,1)", 0.5, [](PrimarySmall& m) -> Ends {
+    {{"step", "how far a random number moves, of [0,1)", 0.5,
+      [](const PrimarySmall& m) -> Ends {
         return {m.kernel.smallest, m.kernel.largest};
+      },
+      [](PrimarySmall& m, Ends e) {
+        m.kernel = {e.smallest, e.largest};
       }}}};
 
 template <>
