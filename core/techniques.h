@@ -110,16 +110,14 @@ void weigh(const Space& space, Path<W>& x) {
   Scaled p = first, sum;
   for (int s = 0; s < n; ++s) {
     if (can_sample(space, x, s, all_techniques)) sum += p;
-    p *= weights[static_cast<std::size_t>(s)] =
-        double(x[s].from_light) / double(x[s].from_sensor);
+    p *= weights[static_cast<std::size_t>(s)] = double(x[s].from_light) / double(x[s].from_sensor);
   }
   if (can_sample(space, x, n, all_techniques)) sum += p;
   x.intensity = sum;
   p = first / sum;
   for (int s = 0; s <= n; ++s) {
     const double ratio = weights[static_cast<std::size_t>(s)];
-    weights[static_cast<std::size_t>(s)] =
-        can_sample(space, x, s, all_techniques) ? p.value() : 0;
+    weights[static_cast<std::size_t>(s)] = can_sample(space, x, s, all_techniques) ? p.value() : 0;
     if (s < n) p *= ratio;
   }
 }
