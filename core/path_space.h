@@ -48,6 +48,8 @@ concept MovablePathSpace = PathSpace<S> &&
   space.begin_light(y, i, space.invert_begin(x, i, random));
   space.begin_sensor(y, i, space.invert_begin(x, i, random));
   { space.extend(y, i, toward, space.invert_extend(x, i, toward, random)) } -> std::same_as<bool>;
+  { space.chooses_light(x[i]) } -> std::same_as<bool>;
+  { space.chooses_lobe(x[i]) } -> std::same_as<bool>;
 };
 
 }  // namespace wander

@@ -33,6 +33,11 @@ bool specular_material(const Material<W>& material) {
   return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::specular; }, material);
 }
 
+template <World W>
+bool has_lobes(const Material<W>& material) {
+  return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::has_lobes; }, material);
+}
+
 }  // namespace
 
 template <World W>
@@ -53,6 +58,7 @@ Scene<W>::Scene(SceneParts<W> parts)
     surfaces_.push_back({.material = &material,
                          .is_specular = specular_material<W>(material),
                          .scatters = !std::holds_alternative<Black<W>>(material),
+                         .has_lobes = has_lobes<W>(material),
                          .is_flat = is_flat<W>(part.shape),
                          .is_sensor = part.is_sensor,
                          .is_smooth = is_smooth<W>(part.shape),

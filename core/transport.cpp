@@ -265,13 +265,6 @@ void Transport<W>::evaluate(Path<W>& x, int i) const {
 }
 
 template <World W>
-bool Transport<W>::has_lobes(const Vertex<W>& v) const {
-  if (v.event == Event::emission || v.event == Event::detection) return false;
-  return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::has_lobes; },
-                    material(v));
-}
-
-template <World W>
 auto Transport<W>::albedo(const Vertex<W>& v) const -> Real {
   if (v.event == Event::emission || v.event == Event::detection) return 1;
   return Texel<W>(*scene_, v.place)

@@ -24,8 +24,9 @@ struct Kelemen {
 
   template <class Random>
   Move move(double u, Random& random) const {
-    const double distance = largest * std::exp(-log_ratio * random.uniform());
-    const double sign = random.uniform() < 0.5 ? -1 : 1;
+    const double twice = 2 * random.uniform();  // either half of the number is as good as a whole
+    const double sign = twice < 1 ? -1 : 1;
+    const double distance = largest * std::exp(-log_ratio * (twice < 1 ? twice : twice - 1));
     double v = u + sign * distance;
     if (v >= 1) v -= 1;
     if (v < 0) v += 1;

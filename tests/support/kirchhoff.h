@@ -58,6 +58,9 @@ class Kirchhoff {
     return flat_.invert_extend(x, i, toward, random);
   }
 
+  bool chooses_light(const Vertex<W>& v) const { return v.event == Event::emission; }
+  bool chooses_lobe(const Vertex<W>& v) const { return flat_.chooses_lobe(v); }
+
   W::Square end_parameter(const Path<W>& x, int i) const { return flat_.end_parameter(x, i); }
   void move_end(Path<W>& x, int i, W::Square u) const { flat_.move_end(x, i, u); }
   bool shoot(Path<W>& x, int i, Toward toward, W::Direction direction) const {
