@@ -24,10 +24,9 @@ struct Kelemen {
 
   template <class Random>
   Move move(double u, Random& random) const {
-    const double twice = 2 * random.uniform();  // either half of the number is as good as a whole
-    const double sign = twice < 1 ? -1 : 1;
-    const double distance = largest * std::exp(-log_ratio * (twice < 1 ? twice : twice - 1));
-    double v = u + sign * distance;
+    const double either = 2 * random.uniform() - 1;  // its sign is one number, the rest another
+    const double distance = largest * std::exp(-log_ratio * std::abs(either));
+    double v = u + std::copysign(distance, either);
     if (v >= 1) v -= 1;
     if (v < 0) v += 1;
     if (v >= 1) v = 0;  // -1e-20 + 1 is 1 in floating point

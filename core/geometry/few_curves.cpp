@@ -54,6 +54,16 @@ auto FewCurves<W>::distance(ShapeId arc, const Ray<W>& ray) const -> Length {
   return std::get<Arc<W>>(shapes_[static_cast<std::size_t>(arc)]).intersect(ray, Element<W>(arc));
 }
 
+namespace {
+
+template <class Lanes>
+double least(const Lanes& lanes) {
+  const auto lesser = [](double a, double b) { return a < b ? a : b; };
+  return lesser(lesser(lanes[0], lanes[1]), lesser(lanes[2], lanes[3]));
+}
+
+}  // namespace
+
 template <World W>
 WANDER_WIDEST_LANES Hit<W> FewCurves<W>::closest(const Ray<W>& ray) const {
   Lanes nearest = Lanes{} + std::numeric_limits<Length>::infinity();
@@ -65,9 +75,9 @@ WANDER_WIDEST_LANES Hit<W> FewCurves<W>::closest(const Ray<W>& ray) const {
     nearest = found < nearest ? found : nearest;
   }
   Hit<W> hit;
-  for (std::size_t k = 0; k < width; ++k)
-    if (nearest[k] < hit.distance || (nearest[k] == hit.distance && shape[k] < hit.shape))
-      hit = {static_cast<ShapeId>(shape[k]), nearest[k]};
+  hit.distance = least(nearest);
+  hit.shape = static_cast<ShapeId>(
+      least(nearest == hit.distance ? shape : Lanes{} + std::numeric_limits<Length>::infinity()));
   if (arcs_.empty()) return hit;
   Ray<W> shortened = ray;
   shortened.limit = std::min(ray.limit, hit.distance);
@@ -83,12 +93,13 @@ WANDER_WIDEST_LANES Hit<W> FewCurves<W>::closest(const Ray<W>& ray) const {
 
 template <World W>
 WANDER_WIDEST_LANES bool FewCurves<W>::any(const Ray<W>& ray) const {
+  Lanes nearest = Lanes{} + std::numeric_limits<Length>::infinity();
   for (const Segments& segments : segments_) {
     Lanes found;
     find(segments, ray, found);
-    for (std::size_t k = 0; k < width; ++k)
-      if (found[k] < ray.limit) return true;
+    nearest = found < nearest ? found : nearest;
   }
+  if (least(nearest) < ray.limit) return true;
   for (const ShapeId arc : arcs_)
     if (distance(arc, ray) < ray.limit) return true;
   return false;

@@ -14,7 +14,7 @@ class FewCurves {
  public:
   using Length = typename W::Length;
   // Of more curves a hierarchy is quicker.
-  static constexpr std::size_t most = 16;
+  static constexpr std::size_t most = 64;
 
   FewCurves() = default;
   explicit FewCurves(std::span<const Shape<W>> shapes);  // which outlive it
