@@ -22,6 +22,7 @@ concept PathSpace = requires(const S& space, Path<typename S::Universe>& y,
   space.begin_sensor(y, i, random);
   { space.extend(y, i, toward, random) } -> std::same_as<bool>;
   { space.survival(v) } -> std::convertible_to<double>;
+  { space.may_connect(x, i) } -> std::same_as<bool>;
   { space.connect(y, i) } -> std::same_as<Connection>;
   space.evaluate(y, i);
   { space.can_connect(v) } -> std::same_as<bool>;

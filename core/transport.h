@@ -103,6 +103,9 @@ class Transport {
     return is_camera(v) && scene_->camera()->is_pinhole();
   }
 
+  // May an edge between x_i and x_{i+1} carry light, whose other neighbours are known?  False: at one
+  // of them it comes and goes on different sides, or leaves the film.  No ray is asked.
+  bool may_connect(const Path<W>& x, int i) const;
   // Writes the edge between x_i and x_{i+1}.
   Connection connect(Path<W>& x, int i) const;
 
@@ -170,6 +173,7 @@ class Transport {
   InvertedNumbers<W> inverted(const Path<W>& x, int i, Toward toward) const;
   PointNumbers<W> inverted_point(const Path<W>& x, int i) const;
   double light_choice(ShapeId shape, double u) const;
+  bool passes(const Vertex<W>& v, Direction way, Direction known) const;
   void evaluate_emission(Path<W>& x) const;
   void evaluate_detection(Path<W>& x, int i) const;
 
