@@ -117,6 +117,7 @@ class Scaled {
   }
 
   static Scaled sum_of_normalized(Scaled a, Scaled b) {
+    if (!a.is_finite() || !b.is_finite()) return Scaled(a.mantissa_ + b.mantissa_);
     if (a.mantissa_ == 0) return b;
     if (b.mantissa_ == 0) return a;
     if (a.exponent_ < b.exponent_) std::swap(a, b);

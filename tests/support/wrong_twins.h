@@ -104,7 +104,7 @@ struct FlawedBidirectional {
                       int d, int a) const {
     switch (flaw) {
       case BidirectionalFlaw::no_deletion:
-        return 1 / B::deletion_pmf(n)[d];
+        return 1 / length_pmfs.deletion(n)[d];
       case BidirectionalFlaw::no_addition:
         return 1 / B::add_probability(kept, d, a, space.max_vertices());
       case BidirectionalFlaw::no_split:
