@@ -122,7 +122,7 @@ struct Dimension<2> {
   }
   template <class T>
   static std::array<T, 1> ring_offset(T r, T u) {
-    return {u < T(0.5) ? -r : r};
+    return {std::copysign(r, u - T(0.5))};
   }
   template <class T>
   static constexpr T cone_measure(T) {
@@ -130,7 +130,7 @@ struct Dimension<2> {
   }
   template <class T>
   static Vec<2, T> cone_direction(Vec<2, T> axis, T theta, T u) {
-    const T sine = u < T(0.5) ? -std::sin(theta) : std::sin(theta), cosine = std::cos(theta);
+    const T sine = std::copysign(std::sin(theta), u - T(0.5)), cosine = std::cos(theta);
     return {cosine * axis.x - sine * axis.y, sine * axis.x + cosine * axis.y};
   }
 

@@ -80,7 +80,11 @@ class Path {
   ~Path() = default;
 
   int size() const { return size_; }
-  void resize(int n) { size_ = n; }
+  // What a path is made anew in has not been weighed.
+  void resize(int n) {
+    size_ = n;
+    intensity = {};
+  }
   Vertex<W>& operator[](int i) { return vertices_[static_cast<std::size_t>(i)]; }
   const Vertex<W>& operator[](int i) const { return vertices_[static_cast<std::size_t>(i)]; }
 
@@ -93,6 +97,7 @@ class Path {
   // sampler that chooses technique s with probability ∝ q_s, and w_s = q_s p_{s,t} / Σ.
   Scaled contribution;
   Scaled intensity;
+  bool is_weighed() const { return !intensity.is_zero(); }
   std::vector<double>& weights() { return weights_; }
   const std::vector<double>& weights() const { return weights_; }
 

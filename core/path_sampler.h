@@ -125,9 +125,11 @@ class PathSampler {
       seek(random, {Subpath::sensor_end, s});
       space_.begin_sensor(joined_, s, random);
     }
+    if (s > 1) joined_[s - 2] = light_[s - 2];
+    if (!space_.may_connect(joined_, s - 1)) return;
     ++rays_;
     if (space_.connect(joined_, s - 1) != Connection::open) return;
-    joined_.copy(light_, 0, s - 1, 0);
+    joined_.copy(light_, 0, std::max(s - 2, 0), 0);
     joined_.copy(sensor_, sensor_index(t - 1), t - 1, s + 1);
     space_.evaluate(joined_, s - 1);
     space_.evaluate(joined_, s);

@@ -22,6 +22,7 @@ concept PathSpace = requires(const S& space, Path<typename S::Universe>& y,
   space.begin_sensor(y, i, random);
   { space.extend(y, i, toward, random) } -> std::same_as<bool>;
   { space.survival(v) } -> std::convertible_to<double>;
+  { space.may_connect(x, i) } -> std::same_as<bool>;
   { space.connect(y, i) } -> std::same_as<Connection>;
   space.evaluate(y, i);
   { space.can_connect(v) } -> std::same_as<bool>;
@@ -48,6 +49,8 @@ concept MovablePathSpace = PathSpace<S> &&
   space.begin_light(y, i, space.invert_begin(x, i, random));
   space.begin_sensor(y, i, space.invert_begin(x, i, random));
   { space.extend(y, i, toward, space.invert_extend(x, i, toward, random)) } -> std::same_as<bool>;
+  { space.chooses_light(x[i]) } -> std::same_as<bool>;
+  { space.chooses_lobe(x[i]) } -> std::same_as<bool>;
 };
 
 }  // namespace wander

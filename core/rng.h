@@ -74,16 +74,20 @@ class Rng {
     const std::uint64_t bits = (std::uint64_t{high} << 32) | low;
     return static_cast<double>(bits >> 11) * 0x1p-53;
   }
+  // Two blocks at once, whose rounds the processor does side by side.
   void refill() {
-    const auto r = philox(counter_, key_);
-    ++counter_[0];
-    numbers_ = {to_unit(r[2], r[3]), to_unit(r[0], r[1])};
-    left_ = 2;
+    auto next = counter_;
+    ++next[0];
+    const auto first = philox(counter_, key_), second = philox(next, key_);
+    counter_[0] += 2;
+    numbers_ = {to_unit(second[2], second[3]), to_unit(second[0], second[1]),
+                to_unit(first[2], first[3]), to_unit(first[0], first[1])};
+    left_ = 4;
   }
 
   std::array<std::uint32_t, 2> key_;
   std::array<std::uint32_t, 4> counter_;
-  std::array<double, 2> numbers_{};
+  std::array<double, 4> numbers_{};  // the next one last
   int left_ = 0;
 };
 

@@ -33,6 +33,17 @@ bool specular_material(const Material<W>& material) {
   return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::specular; }, material);
 }
 
+template <World W>
+bool is_opaque(const Material<W>& material) {
+  return !std::holds_alternative<Dielectric<W>>(material) &&
+         !std::holds_alternative<RoughDielectric<W>>(material);
+}
+
+template <World W>
+bool has_lobes(const Material<W>& material) {
+  return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::has_lobes; }, material);
+}
+
 }  // namespace
 
 template <World W>
@@ -53,6 +64,8 @@ Scene<W>::Scene(SceneParts<W> parts)
     surfaces_.push_back({.material = &material,
                          .is_specular = specular_material<W>(material),
                          .scatters = !std::holds_alternative<Black<W>>(material),
+                         .is_opaque = is_opaque<W>(material),
+                         .has_lobes = has_lobes<W>(material),
                          .is_flat = is_flat<W>(part.shape),
                          .is_sensor = part.is_sensor,
                          .is_smooth = is_smooth<W>(part.shape),

@@ -32,6 +32,8 @@ struct Surface {
   const Material<W>* material = nullptr;
   bool is_specular = false;  // of the material: a class of vertices, never of directions
   bool scatters = false;     // false: black
+  bool is_opaque = false;    // light stays on its side
+  bool has_lobes = false;    // of its scattering, one of which a sample chooses
   bool is_flat = false;      // no two points of one primitive see each other
   bool is_sensor = false;
   bool is_smooth = false;  // scatters about normals that are not its own (shading.h)

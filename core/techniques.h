@@ -104,18 +104,21 @@ template <class Space, class W>
 void weigh(const Space& space, Path<W>& x) {
   const int n = x.size();
   x.contribution = contribution(x);
-  auto& weights = x.weights();
-  weights.assign(static_cast<std::size_t>(n) + 1, 0);
-  Scaled p = technique_density(x, 0), sum;
-  for (int s = 0; s <= n; ++s) {
+  auto& weights = x.weights();  // until the sum is known, the ratios p_{s+1} / p_s
+  weights.resize(static_cast<std::size_t>(n) + 1);
+  const Scaled first = technique_density(x, 0);
+  Scaled p = first, sum;
+  for (int s = 0; s < n; ++s) {
     if (can_sample(space, x, s, all_techniques)) sum += p;
-    if (s < n) p *= double(x[s].from_light) / double(x[s].from_sensor);
+    p *= weights[static_cast<std::size_t>(s)] = double(x[s].from_light) / double(x[s].from_sensor);
   }
+  if (can_sample(space, x, n, all_techniques)) sum += p;
   x.intensity = sum;
-  p = technique_density(x, 0) / sum;
+  p = first / sum;
   for (int s = 0; s <= n; ++s) {
-    if (can_sample(space, x, s, all_techniques)) weights[static_cast<std::size_t>(s)] = p.value();
-    if (s < n) p *= double(x[s].from_light) / double(x[s].from_sensor);
+    const double ratio = weights[static_cast<std::size_t>(s)];
+    weights[static_cast<std::size_t>(s)] = can_sample(space, x, s, all_techniques) ? p.value() : 0;
+    if (s < n) p *= ratio;
   }
 }
 

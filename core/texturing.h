@@ -20,18 +20,20 @@ class Texel {
   using Real = typename W::Real;
 
   Texel(const Scene<W>& scene, const Place<W>& place) {
-    if constexpr (W::dimension == 3)
-      if (const Texture* texture = scene.surface(place.shape).texture)
-        read(*texture, scene.shape(place.shape), place);
+    if constexpr (W::dimension == 3) {
+      const Texture* texture = scene.surface(place.shape).texture;
+      if (texture == nullptr) return;
+      is_plain_ = false;
+      read(*texture, scene.shape(place.shape), place);
+    }
   }
 
   // By luminance.
   Real scaled(Real reflected) const { return reflected * luminance_; }
   Scattering<W> scaled(Scattering<W> s) const {
-    if constexpr (W::dimension == 3) {
-      s.value *= luminance_;
-      s.tint *= tint_;
-    }
+    if (is_plain_) return s;
+    s.value *= luminance_;
+    s.tint *= tint_;
     return s;
   }
 
@@ -48,6 +50,7 @@ class Texel {
         shape);
   }
 
+  bool is_plain_ = true;
   Real luminance_ = 1;
   [[no_unique_address]] typename W::Tint tint_{};
 };

@@ -190,6 +190,22 @@ double Transport<W>::follow_density(const Path<W>& x, int i, Toward toward) cons
 }
 
 template <World W>
+bool Transport<W>::passes(const Vertex<W>& v, Direction way, Direction known) const {
+  if (is_camera(v)) return scene_->camera()->film_coordinate(v.place.position, way).has_value();
+  const Length side = glm::dot(way, v.place.normal);
+  if (v.event == Event::emission || v.event == Event::detection) return side > 0;
+  const Surface<W>& surface = scene_->surface(v.place.shape);
+  return !surface.is_opaque || surface.is_smooth || side * glm::dot(known, v.place.normal) > 0;
+}
+
+template <World W>
+bool Transport<W>::may_connect(const Path<W>& x, int i) const {
+  const Direction way = x[i + 1].place.position - x[i].place.position;
+  const Direction light = i > 0 ? -x[i - 1].place.to_sensor : Direction{};
+  return passes(x[i], way, light) && passes(x[i + 1], -way, x[i + 1].place.to_sensor);
+}
+
+template <World W>
 Connection Transport<W>::connect(Path<W>& x, int i) const {
   Vertex<W>& a = x[i];
   const Vertex<W>& b = x[i + 1];
@@ -262,13 +278,6 @@ void Transport<W>::evaluate(Path<W>& x, int i) const {
   v.tint = s.tint;
   x[i + 1].from_light = static_cast<Real>(q * s.toward_sensor * v.geometry);
   x[i - 1].from_sensor = static_cast<Real>(q * s.toward_light * x[i - 1].geometry);
-}
-
-template <World W>
-bool Transport<W>::has_lobes(const Vertex<W>& v) const {
-  if (v.event == Event::emission || v.event == Event::detection) return false;
-  return std::visit([](const auto& m) { return std::decay_t<decltype(m)>::has_lobes; },
-                    material(v));
 }
 
 template <World W>

@@ -48,11 +48,16 @@ class Transport {
 
   template <class Random>
   void begin_light(Path<W>& x, int i, Random& random) const {
-    begin_light(x, i, point_numbers(random));
+    PointNumbers<W> u;
+    if (scene_->lights().size() > 1) u.light = random.uniform();
+    draw(u.position, random);
+    begin_light(x, i, u);
   }
   template <class Random>
   void begin_sensor(Path<W>& x, int i, Random& random) const {
-    begin_sensor(x, i, point_numbers(random));
+    PointNumbers<W> u;
+    if (!scene_->camera() || !scene_->camera()->is_pinhole()) draw(u.position, random);
+    begin_sensor(x, i, u);
   }
   void begin_light(Path<W>& x, int i, PointNumbers<W> u) const;
   void begin_sensor(Path<W>& x, int i, PointNumbers<W> u) const;
@@ -98,6 +103,9 @@ class Transport {
     return is_camera(v) && scene_->camera()->is_pinhole();
   }
 
+  // May an edge between x_i and x_{i+1} carry light, whose other neighbours are known?  False: at one
+  // of them it comes and goes on different sides, or leaves the film.  No ray is asked.
+  bool may_connect(const Path<W>& x, int i) const;
   // Writes the edge between x_i and x_{i+1}.
   Connection connect(Path<W>& x, int i) const;
 
@@ -110,6 +118,16 @@ class Transport {
   PointNumbers<W> invert_begin(const Path<W>& x, int i, Random& random) const;
   template <class Random>
   ScatterNumbers<W> invert_extend(const Path<W>& x, int i, Toward toward, Random& random) const;
+
+  // Are there lights to choose from at this vertex, or lobes when a subpath goes on?  Where there are
+  // none, no number is drawn.
+  bool chooses_light(const Vertex<W>& v) const {
+    return v.event == Event::emission && scene_->lights().size() > 1;
+  }
+  bool chooses_lobe(const Vertex<W>& v) const {
+    return v.event != Event::emission && v.event != Event::detection &&
+           scene_->surface(v.place.shape).has_lobes;
+  }
 
   // Can an edge be made at this vertex without sampling its direction?
   bool can_connect(const Vertex<W>& v) const {
@@ -133,21 +151,16 @@ class Transport {
   using Local = typename W::Local;
 
   template <class Random>
-  PointNumbers<W> point_numbers(Random& random) const {
-    PointNumbers<W> u;
-    u.light = random.uniform();
-    for (auto& number : u.position) number = unit_number<Real>(random.uniform());
-    return u;
+  static void draw(typename W::Square& numbers, Random& random) {
+    for (auto& number : numbers) number = unit_number<Real>(random.uniform());
   }
-  // The number that chooses a lobe is drawn only where a lobe is chosen.
   template <class Random>
   ScatterNumbers<W> scatter_numbers(Random& random, const Vertex<W>& v) const {
     ScatterNumbers<W> u;
-    for (auto& number : u.direction) number = unit_number<Real>(random.uniform());
-    if (has_lobes(v)) u.lobe = unit_number<Real>(random.uniform());
+    draw(u.direction, random);
+    if (chooses_lobe(v)) u.lobe = unit_number<Real>(random.uniform());
     return u;
   }
-  bool has_lobes(const Vertex<W>& v) const;
   Real albedo(const Vertex<W>& v) const;
   Direction known_direction(const Path<W>& x, int i, Toward toward) const {
     return toward == Toward::sensor ? -x[i - 1].place.to_sensor : x[i].place.to_sensor;
@@ -160,6 +173,7 @@ class Transport {
   InvertedNumbers<W> inverted(const Path<W>& x, int i, Toward toward) const;
   PointNumbers<W> inverted_point(const Path<W>& x, int i) const;
   double light_choice(ShapeId shape, double u) const;
+  bool passes(const Vertex<W>& v, Direction way, Direction known) const;
   void evaluate_emission(Path<W>& x) const;
   void evaluate_detection(Path<W>& x, int i) const;
 
@@ -171,10 +185,7 @@ template <World W>
 template <class Random>
 PointNumbers<W> Transport<W>::invert_begin(const Path<W>& x, int i, Random& random) const {
   PointNumbers<W> u = inverted_point(x, i);
-  const double free = random.uniform();
-  u.light = x[i].event == Event::emission ? light_choice(x[i].place.shape, free) : free;
-  if (x[i].place.shape == no_shape && scene_->camera()->is_pinhole())
-    for (auto& number : u.position) number = unit_number<Real>(random.uniform());
+  if (chooses_light(x[i])) u.light = light_choice(x[i].place.shape, random.uniform());
   return u;
 }
 
@@ -185,8 +196,8 @@ ScatterNumbers<W> Transport<W>::invert_extend(const Path<W>& x, int i, Toward to
   const InvertedNumbers<W> numbers = inverted(x, i, toward);
   ScatterNumbers<W> u;
   u.direction = numbers.direction;
-  if (numbers.direction_is_free)
-    for (auto& number : u.direction) number = unit_number<Real>(random.uniform());
+  if (numbers.direction_is_free) draw(u.direction, random);
+  if (!chooses_lobe(x[i])) return u;
   const Real free = unit_number<Real>(random.uniform());
   u.lobe = numbers.lobe_low + free * (numbers.lobe_high - numbers.lobe_low);
   return u;

@@ -74,13 +74,12 @@ class Chain {
     Reason reason = Reason::metropolis;
     double a = 0;
     if (const Proposal* p = std::get_if<Proposal>(&outcome)) {
-      proposed_.contribution = contribution(proposed_);
+      if (!proposed_.is_weighed()) weigh(*space_, proposed_);
       const Reason flaw = flaw_of(*p);
       if (flaw != Reason::none) {
         outcome = Failure{flaw};
       } else {
         a = acceptance(current_.contribution, p->forward, proposed_.contribution, p->reverse);
-        if (a > 0) weigh(*space_, proposed_);  // for the state, and for what it deposits
         if (random.uniform() < a) reason = Reason::none;
       }
     }

@@ -17,8 +17,7 @@ namespace wander {
 
 // The two ends of a range of distances, or twice the same number.
 struct Ends {
-  double& smallest;
-  double& largest;
+  double smallest, largest;
 };
 
 // What can be set when a run is made: --mutations lens=1:angle=1e-5..0.1
@@ -26,7 +25,8 @@ template <class M>
 struct Parameter {
   std::string_view name, meaning;  // meaning: with its unit
   double most;                     // allowed: above 0, up to this
-  Ends (*ends)(M& mutation);
+  Ends (*ends)(const M& mutation);
+  void (*set)(M& mutation, Ends ends);
 };
 
 template <class M>

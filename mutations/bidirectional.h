@@ -11,20 +11,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <span>
 
 #include "core/techniques.h"
 #include "mlt/join.h"
 #include "mlt/mutation.h"
 #include "mlt/traits.h"
+#include "mutations/length_pmfs.h"
 
 namespace wander {
 
 struct Bidirectional {
   static constexpr std::string_view name = "bidirectional";
-  // No more vertices than this are deleted or added at once.
-  static constexpr int most_replaced = 16;
   // Probability that what is deleted lies at the sensor's end.
   static constexpr double sensor_end = 0.5;
 
@@ -41,8 +38,7 @@ struct Bidirectional {
   Proposed propose(const Space& space, const Path<typename Space::Universe>& x,
                    Path<typename Space::Universe>& y, Random& random) const {
     const int n = x.size();
-    const LengthPmf deletion = deletion_pmf(n);
-    const int d = random.choose(deletion.span());
+    const int d = random.choose(length_pmfs.deletion(n).span());
     const Kept kept = choose_kept(n, d, random);
     if (split_count(space, x, kept, d) == 0) return Failure{Reason::not_reversible};
 
@@ -62,20 +58,6 @@ struct Bidirectional {
   }
 
   // ---- the discrete choices
-
-  // A pmf over how many vertices are deleted or added.
-  struct LengthPmf {
-    std::array<double, most_replaced + 1> p{};
-    std::span<const double> span() const { return p; }
-    double operator[](int k) const {
-      return k <= most_replaced ? p[static_cast<std::size_t>(k)] : 0;
-    }
-    void normalize() {
-      double total = 0;
-      for (const double q : p) total += q;
-      for (double& q : p) q /= total;
-    }
-  };
 
   // Where d of n vertices are deleted.  Deleting none needs an edge, with a vertex kept on either
   // side.  Otherwise the sensor's end, where the film is, is as likely as all other places
@@ -97,28 +79,12 @@ struct Bidirectional {
     return {light, n - d - light};
   }
 
-  // Veach's choice, counted in vertices: 1/4 for none, 1/2 for one, then halving.
-  static LengthPmf deletion_pmf(int n) {
-    LengthPmf pmf;
-    for (int d = 0; d <= std::min(n, most_replaced); ++d)
-      pmf.p[static_cast<std::size_t>(d)] = d == 0 ? 0.25 : std::ldexp(1.0, -d);
-    pmf.normalize();
-    return pmf;
-  }
-  // Veach's choice: 1/2 for as many as were deleted, 0.15 for one more or less, then 0.2 / 2^j.
-  static LengthPmf addition_pmf(Kept kept, int deleted, int longest) {
+  static const LengthPmf& addition_pmf(Kept kept, int deleted, int longest) {
     const int least = (kept.light == 0 ? 1 : 0) + (kept.sensor == 0 ? 1 : 0);
-    const int most = std::min(most_replaced, longest - kept.light - kept.sensor);
-    LengthPmf pmf;
-    for (int a = least; a <= most; ++a) {
-      const int j = std::abs(a - deleted);
-      pmf.p[static_cast<std::size_t>(a)] = j == 0 ? 0.5 : j == 1 ? 0.15 : std::ldexp(0.2, -j);
-    }
-    pmf.normalize();
-    return pmf;
+    return length_pmfs.addition(least, longest - kept.light - kept.sensor, deleted);
   }
   static double delete_probability(int n, int d, Kept kept) {
-    return deletion_pmf(n)[d] * placement_probability(n, d, kept);
+    return length_pmfs.deletion(n)[d] * placement_probability(n, d, kept);
   }
   static double add_probability(Kept kept, int deleted, int added, int longest) {
     return addition_pmf(kept, deleted, longest)[added];

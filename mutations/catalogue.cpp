@@ -46,10 +46,7 @@ M make(const FamilySettings& settings, int max_vertices) {
   if (given == nullptr) return mutation;
   for (const ParameterSetting& set : given->parameters)
     for (const Parameter<M>& parameter : traits<M>.parameters) {
-      if (parameter.name != set.name) continue;
-      const Ends ends = parameter.ends(mutation);
-      ends.smallest = set.smallest;
-      ends.largest = set.largest;
+      if (parameter.name == set.name) parameter.set(mutation, {set.smallest, set.largest});
     }
   return mutation;
 }
@@ -77,7 +74,7 @@ void choose(const Requirements& scene, MutationChoice& choice) {
 template <class M>
 void add_parameters(std::vector<ParameterFacts>& facts) {
   constexpr int any_length = 2;
-  M mutation = usual<M>(any_length);
+  const M mutation = usual<M>(any_length);
   for (const Parameter<M>& parameter : traits<M>.parameters) {
     const Ends ends = parameter.ends(mutation);
     facts.push_back(

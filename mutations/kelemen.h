@@ -10,6 +10,7 @@ namespace wander {
 
 struct Kelemen {
   double smallest = 1.0 / 1024, largest = 1.0 / 64;
+  double log_ratio = std::log(largest / smallest);
 
   // The same moves so many times as far; half the circle is the farthest.
   Kelemen scaled(double factor) const {
@@ -23,10 +24,9 @@ struct Kelemen {
 
   template <class Random>
   Move move(double u, Random& random) const {
-    const double log_ratio = std::log(largest / smallest);
-    const double distance = largest * std::exp(-log_ratio * random.uniform());
-    const double sign = random.uniform() < 0.5 ? -1 : 1;
-    double v = u + sign * distance;
+    const double either = 2 * random.uniform() - 1;  // its sign is one number, the rest another
+    const double distance = largest * std::exp(-log_ratio * std::abs(either));
+    double v = u + std::copysign(distance, either);
     if (v >= 1) v -= 1;
     if (v < 0) v += 1;
     if (v >= 1) v = 0;  // -1e-20 + 1 is 1 in floating point

@@ -9,6 +9,7 @@ namespace wander {
 
 struct LogUniform {
   double smallest, largest;
+  double log_ratio = std::log(largest / smallest);
 
   // The same distances so many times as long, up to `most`.
   LogUniform scaled(double factor, double most) const {
@@ -22,7 +23,6 @@ struct LogUniform {
 
   template <class Random>
   Distance draw(Random& random) const {
-    const double log_ratio = std::log(largest / smallest);
     const double distance = largest * std::exp(-log_ratio * random.uniform());
     return {distance, 1 / (distance * log_ratio)};
   }

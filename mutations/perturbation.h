@@ -40,12 +40,18 @@ struct PerturbationRange {
 template <class M>
 inline constexpr std::array<Parameter<M>, 2> perturbation_parameters{{
     {"position", "how far an end moves, as a share of the film or of the light's extent", 1,
-     [](M& m) -> Ends {
+     [](const M& m) -> Ends {
        return {m.range.position.smallest, m.range.position.largest};
+     },
+     [](M& m, Ends e) {
+       m.range.position = {e.smallest, e.largest};
      }},
     {"angle", "how far a direction turns, in radians", std::numbers::pi,
-     [](M& m) -> Ends {
+     [](const M& m) -> Ends {
        return {m.range.angle.smallest, m.range.angle.largest};
+     },
+     [](M& m, Ends e) {
+       m.range.angle = {e.smallest, e.largest};
      }},
 }};
 

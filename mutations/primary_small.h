@@ -4,7 +4,9 @@
 //
 //   T(x→y) = w_s(x) K(u→v) p_s(y),  so  a = min(1, [f w_s / p_s](y) / [f w_s / p_s](x)).
 // Numbers that a path does not fix (a lobe within its Fresnel interval, the direction at a mirror)
-// are auxiliary, and are drawn anew at every inversion.  Measure: area product.
+// are auxiliary, and are drawn anew at every inversion.  A number that chooses is moved where both x
+// and y have a choice, and drawn where y alone has: either way back it is the same.  Measure: area
+// product.
 #pragma once
 
 #include "core/transport.h"
@@ -54,8 +56,10 @@ struct PrimarySmall {
     const bool from_light = toward == Toward::sensor;
     const int end = from_light ? 0 : x.size() - 1, step = from_light ? 1 : -1;
     auto point = space.invert_begin(x, end, random);
-    double density = move(point.light, random);
-    for (auto& u : point.position) density *= move(u, random);
+    double density = 1;
+    if (space.chooses_light(x[end])) density *= move(point.light, random);
+    if (!space.is_pinhole(x[end]))
+      for (auto& u : point.position) density *= move(u, random);
     moves *= density;
     if (from_light)
       space.begin_light(y, end, point);
@@ -63,8 +67,12 @@ struct PrimarySmall {
       space.begin_sensor(y, end, point);
     for (int k = 0, i = end; k + 1 < count; ++k, i += step) {
       auto numbers = space.invert_extend(x, i, toward, random);
-      density = move(numbers.lobe, random);
+      density = 1;
       for (auto& u : numbers.direction) density *= move(u, random);
+      if (space.chooses_lobe(x[i]))
+        density *= move(numbers.lobe, random);
+      else if (space.chooses_lobe(y[i]))
+        numbers.lobe = unit_number<typename Space::Universe::Real>(random.uniform());
       moves *= density;
       if (!space.extend(y, i, toward, numbers)) return false;
     }
@@ -80,8 +88,12 @@ struct PrimarySmall {
 };
 
 inline constexpr std::array<Parameter<PrimarySmall>, 1> primary_small_parameters{
-    {{"step", "how far a random number moves, of [0,1)", 0.5, [](PrimarySmall& m) -> Ends {
+    {{"step", "how far a random number moves, of [0,1)", 0.5,
+      [](const PrimarySmall& m) -> Ends {
         return {m.kernel.smallest, m.kernel.largest};
+      },
+      [](PrimarySmall& m, Ends e) {
+        m.kernel = {e.smallest, e.largest};
       }}}};
 
 template <>

@@ -5,6 +5,7 @@
 #include <concepts>
 
 #include "core/geometry/bvh.h"
+#include "core/geometry/few_curves.h"
 #include "core/geometry/wide_bvh.h"
 
 namespace wander {
@@ -16,8 +17,39 @@ concept Accelerator = std::constructible_from<A, std::span<const Shape<W>>> &&
   { accelerator.any(ray) } -> std::same_as<bool>;
 };
 
-// Scenes of the plane are small; in space most of the time is theirs.
+// Most scenes of the plane are small.
 template <World W>
-using SceneAccelerator = std::conditional_t<W::dimension == 3, WideBvh<W>, Bvh<W>>;
+class PlaneAccelerator {
+ public:
+  PlaneAccelerator() = default;
+  explicit PlaneAccelerator(std::span<const Shape<W>> shapes)
+      : is_small_(shapes.size() <= FewCurves<W>::most) {
+    if (is_small_)
+      few_ = FewCurves<W>(shapes);
+    else
+      many_ = Bvh<W>(shapes);
+  }
+
+  Hit<W> closest(const Ray<W>& ray) const {
+    return is_small_ ? few_.closest(ray) : many_.closest(ray);
+  }
+  bool any(const Ray<W>& ray) const { return is_small_ ? few_.any(ray) : many_.any(ray); }
+
+ private:
+  bool is_small_ = true;
+  FewCurves<W> few_;
+  Bvh<W> many_;
+};
+
+template <World W, int D = W::dimension>
+struct AcceleratorOf {
+  using Type = PlaneAccelerator<W>;
+};
+template <World W>
+struct AcceleratorOf<W, 3> {
+  using Type = WideBvh<W>;
+};
+template <World W>
+using SceneAccelerator = typename AcceleratorOf<W>::Type;
 
 }  // namespace wander

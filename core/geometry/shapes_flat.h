@@ -66,6 +66,10 @@ class Segment {
   Length measure() const { return length_; }
   Box<W> bounds() const { return {glm::min(from_, to_), glm::max(from_, to_)}; }
 
+  Point from() const { return from_; }
+  Point to() const { return to_; }
+  Length slack() const { return slack_; }
+
  private:
   static constexpr Length miss() { return std::numeric_limits<Length>::infinity(); }
 

@@ -90,6 +90,9 @@ class ChainWorker {
     }
   }
 
+  const GroupFilm& film() const { return film_; }
+  const MutationStatistics& statistics() const { return statistics_; }
+
  private:
   const Transport<W>& transport_;
   Chain<Transport<W>, Family> chain_;

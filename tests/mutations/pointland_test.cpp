@@ -216,7 +216,7 @@ TEST(PointlandClaims, EveryTwinClaimsADensityThatItDoesNotHave) {
 
 TEST(PointlandChoices, APlaceToDeleteIsChosenWithTheProbabilityThatIsClaimed) {
   for (int n = 2; n <= 24; ++n)
-    for (int d = 0; d <= std::min(n, Bidirectional::most_replaced); ++d) {
+    for (int d = 0; d <= std::min(n, most_replaced); ++d) {
       std::vector<double> sampled(static_cast<std::size_t>(n) + 1);
       Enumeration choices;
       do {
@@ -233,7 +233,7 @@ TEST(PointlandChoices, APlaceToDeleteIsChosenWithTheProbabilityThatIsClaimed) {
 }
 
 TEST(PointlandChoices, TheNumbersDeletedAndAddedHavePmfsThatSumToOne) {
-  const auto expect_one = [](const Bidirectional::LengthPmf& pmf) {
+  const auto expect_one = [](const LengthPmf& pmf) {
     double total = 0;
     for (const double p : pmf.span()) {
       EXPECT_GE(p, 0);
@@ -243,12 +243,12 @@ TEST(PointlandChoices, TheNumbersDeletedAndAddedHavePmfsThatSumToOne) {
   };
   for (int longest = 2; longest <= 40; ++longest)
     for (int n = 2; n <= longest; ++n) {
-      expect_one(Bidirectional::deletion_pmf(n));
-      for (int d = 0; d <= std::min(n, Bidirectional::most_replaced); ++d)
+      expect_one(length_pmfs.deletion(n));
+      for (int d = 0; d <= std::min(n, most_replaced); ++d)
         for (int light = 0; light <= n - d; ++light) {
           const Bidirectional::Kept kept{light, n - d - light};
           if (d == 0 && (kept.light == 0 || kept.sensor == 0)) continue;
-          const auto pmf = Bidirectional::addition_pmf(kept, d, longest);
+          const auto& pmf = Bidirectional::addition_pmf(kept, d, longest);
           expect_one(pmf);
           EXPECT_GT(pmf[d], 0) << "the way back must be possible";
         }

@@ -45,6 +45,7 @@ class Kirchhoff {
   bool extend(Path<W>& x, int i, Toward toward, NumbersOrRandom& u) const {
     return flat_.extend(x, i, toward, u);
   }
+  bool may_connect(const Path<W>&, int) const { return true; }
   Connection connect(Path<W>& x, int i) const { return flat_.connect(x, i); }
   void evaluate(Path<W>& x, int i) const;
 
@@ -57,6 +58,9 @@ class Kirchhoff {
   ScatterNumbers<W> invert_extend(const Path<W>& x, int i, Toward toward, Random& random) const {
     return flat_.invert_extend(x, i, toward, random);
   }
+
+  bool chooses_light(const Vertex<W>& v) const { return v.event == Event::emission; }
+  bool chooses_lobe(const Vertex<W>& v) const { return flat_.chooses_lobe(v); }
 
   W::Square end_parameter(const Path<W>& x, int i) const { return flat_.end_parameter(x, i); }
   void move_end(Path<W>& x, int i, W::Square u) const { flat_.move_end(x, i, u); }

@@ -101,6 +101,7 @@ class Graph {
   }
   double survival(const Vertex<Pointland>&) const { return 1; }
 
+  bool may_connect(const PointPath&, int) const { return true; }
   Connection connect(PointPath& x, int i) const;
   void evaluate(PointPath& x, int i) const;
 

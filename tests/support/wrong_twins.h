@@ -104,7 +104,7 @@ struct FlawedBidirectional {
                       int d, int a) const {
     switch (flaw) {
       case BidirectionalFlaw::no_deletion:
-        return 1 / B::deletion_pmf(n)[d];
+        return 1 / length_pmfs.deletion(n)[d];
       case BidirectionalFlaw::no_addition:
         return 1 / B::add_probability(kept, d, a, space.max_vertices());
       case BidirectionalFlaw::no_split:
@@ -197,7 +197,7 @@ struct FlawedSmallStep {
     const bool from_light = toward == Toward::sensor;
     const int end = from_light ? 0 : x.size() - 1, step = from_light ? 1 : -1;
     auto point = space.invert_begin(x, end, random);
-    moves *= move(point.light, random);
+    if (space.chooses_light(x[end])) moves *= move(point.light, random);
     for (auto& u : point.position) moves *= move(u, random);
     if (from_light)
       space.begin_light(y, end, point);
@@ -205,8 +205,11 @@ struct FlawedSmallStep {
       space.begin_sensor(y, end, point);
     for (int k = 0, i = end; k + 1 < count; ++k, i += step) {
       auto numbers = space.invert_extend(x, i, toward, random);
-      moves *= move(numbers.lobe, random);
       for (auto& u : numbers.direction) moves *= move(u, random);
+      if (space.chooses_lobe(x[i]))
+        moves *= move(numbers.lobe, random);
+      else if (space.chooses_lobe(y[i]))
+        numbers.lobe = random.uniform();
       if (!space.extend(y, i, toward, numbers)) return false;
     }
     return true;
