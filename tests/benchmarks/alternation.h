@@ -22,6 +22,7 @@ struct AlternationTotals {
 
   void report(benchmark::State& state, const char* rate) const {
     state.counters[rate] = items / work_seconds;
+    state.counters["ns"] = work_seconds * 1e9 / items;
     state.counters["rays/item"] = rays / items;
     state.counters["rays/s"] = rays / cast_seconds;  // alone
     state.counters["ratio"] = work_seconds / cast_seconds;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/benchmarks/alternation.h"
+#include "tests/benchmarks/scaling.h"
 #include "tests/benchmarks/workers.h"
 
 namespace wander {
@@ -112,6 +113,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
   wander::register_all<wander::Flatland>(wander::scenes);
   wander::register_all<wander::SpacelandColour>(wander::scenes_in_space);
+  wander::register_scaling();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }
