@@ -1,7 +1,11 @@
-# cmake -DPROGRAM=... -DLABEL=... -DOUTPUT=... -P: writes the tests of a program for CTest, one of each
-# suite: its tests share what is made once, and a process starts once.  Large suites are cut in parts, so
-# that all cores have work to the end.
-set(part_size 16)
+# cmake -DPROGRAM=... -DLABEL=quick|long -DOUTPUT=... -P: writes the tests of a program for CTest.
+# Quick ones are one of each suite: its tests share what is made once, and a process starts once.
+# Large suites are cut in parts, so that all cores have work to the end.  Long ones are each for itself.
+if(LABEL STREQUAL long)
+  set(part_size 1)
+else()
+  set(part_size 16)
+endif()
 
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests
   OUTPUT_VARIABLE lines RESULT_VARIABLE result TIMEOUT 60)
@@ -22,7 +26,11 @@ endfunction()
 # Of `suite`, what `tests` names.
 function(register_suite)
   list(LENGTH tests count)
-  if(count LESS_EQUAL part_size)
+  if(part_size EQUAL 1)
+    foreach(test IN LISTS tests)
+      register("${suite}.${test}" "${suite}.${test}")
+    endforeach()
+  elseif(count LESS_EQUAL part_size)
     register("${suite}" "${suite}.*")
   else()
     set(part 1)
