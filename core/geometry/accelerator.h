@@ -41,12 +41,17 @@ class PlaneAccelerator {
   Bvh<W> many_;
 };
 
-template <World W, int D = W::dimension>
+// The others are for geometry in double.
+template <World W, int D = W::dimension, class Length = typename W::Length>
 struct AcceleratorOf {
+  using Type = Bvh<W>;
+};
+template <World W>
+struct AcceleratorOf<W, 2, double> {
   using Type = PlaneAccelerator<W>;
 };
 template <World W>
-struct AcceleratorOf<W, 3> {
+struct AcceleratorOf<W, 3, double> {
   using Type = WideBvh<W>;
 };
 template <World W>

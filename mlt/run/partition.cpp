@@ -66,6 +66,7 @@ Pooling best_pooling(const Pilot& pilot, std::size_t bins) {
   double least = std::numeric_limits<double>::infinity();
   const double cost = pilot.rays / pilot.samples / rays_per_step;
   for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2) {
+    if (rho > fewest_samples_per_step && rho * cost > most_cost) break;
     const Pooling tried = pooling(pilot, rho);
     const double work = variance(pilot, tried, bins) * (1 + rho * cost);
     if (work < least) {

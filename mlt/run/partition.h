@@ -62,8 +62,10 @@ inline constexpr double rays_per_step = 8;
 // the samples' part, the chains', and that of b itself (pooled_film.h), which moves all bins.  E_π is
 // over the states of the chains, which know the fireflies that samples have not yet drawn; without
 // states b E_π[g] is what the samples say of it, E_B[Σ l g].  The ρ that has the least V(ρ) (1 + ρ κ),
-// with κ the cost of a sample in steps, of the powers of two between these.
-inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 8;
+// with κ the cost of a sample in steps, of the powers of two between these; but no more than with
+// which samples take most_cost times as long as steps.
+inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 8,
+                        most_cost = 6;
 Pooling best_pooling(const Pilot& pilot, std::size_t bins);
 
 // The same for so many samples per step; nothing is left to samples where the pilot found no light.

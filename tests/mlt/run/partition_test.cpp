@@ -10,7 +10,8 @@ namespace {
 
 // Of each ratio, so many paths.
 Pilot pilot_of(std::initializer_list<std::pair<double, int>> paths, double samples = 10'000) {
-  Pilot pilot{.samples = samples, .rays = rays_per_step * samples};  // one costs as much as a step
+  Pilot pilot{.samples = samples,
+              .rays = rays_per_step * samples / 2};  // two cost as much as a step
   for (const auto& [ratio, count] : paths)
     for (int i = 0; i < count; ++i) pilot.found.add(ratio);
   return pilot;
@@ -30,7 +31,7 @@ double work(const Pilot& pilot, double rho) {
     easy += count / pilot.samples * c * l / (l + c);
   }
   const double of_b = std::pow(b / easy, 2) * samples / bins;
-  return ((samples + of_b) / rho + pilot.steps_per_draw * b * chains) * (1 + rho);
+  return ((samples + of_b) / rho + pilot.steps_per_draw * b * chains) * (1 + rho / 2);
 }
 
 TEST(Partition, LeavesNothingOut) {
