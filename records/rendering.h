@@ -10,6 +10,7 @@
 
 #include "core/film_estimate.h"
 #include "mlt/run/normalization_record.h"
+#include "mlt/run/partition.h"
 #include "mlt/watch/chains_record.h"
 
 namespace wander {
@@ -23,7 +24,7 @@ struct MergedRun {
 
 // How a film was pooled of samples and chains (mlt/run/partition.h).
 struct PoolingRecord {
-  double border = 0;            // c, in the unit of b; of several runs, of the first
+  Pooling how{};                // of several runs, of the first
   std::uint64_t samples = 0;    // of the seed pass and beside the chains
   double light_of_samples = 0;  // the share of the light that they carry
 };

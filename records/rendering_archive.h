@@ -23,7 +23,7 @@ void serialize(Archive& archive, FilmEstimate& film) {
 
 template <class Archive>
 void serialize(Archive& archive, PoolingRecord& pooling) {
-  archive(pooling.border, pooling.samples, pooling.light_of_samples);
+  archive(pooling.how, pooling.samples, pooling.light_of_samples);
 }
 
 template <class Archive>

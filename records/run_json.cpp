@@ -60,9 +60,12 @@ ordered_json chains_of_film(const Rendering& rendering, int dimension) {
 }
 
 ordered_json json_of(const PoolingRecord& pooling) {
-  return {{"border", json_of(pooling.border)},
-          {"samples", pooling.samples},
-          {"light_of_samples", json_of(pooling.light_of_samples)}};
+  return {{"samples", pooling.samples},
+          {"light_of_samples", json_of(pooling.light_of_samples)},
+          {"border", json_of(pooling.how.partition.c)},
+          {"samples_per_step", json_of(pooling.how.samples_per_step)},
+          {"steps_per_draw", json_of(pooling.how.steps_per_draw)},
+          {"cost_of_sample", json_of(pooling.how.cost_of_sample)}};
 }
 
 ordered_json json_of(const Normalization& normalization) {

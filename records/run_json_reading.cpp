@@ -50,7 +50,11 @@ FilmEstimate chains_film_from(const ordered_json& json, const FilmEstimate& film
 }
 
 PoolingRecord pooling_from(const ordered_json& json) {
-  return {number_from(json.at("border")), json.at("samples"),
+  return {{{number_from(json.at("border"))},
+           number_from(json.at("samples_per_step")),
+           number_from(json.at("steps_per_draw")),
+           number_from(json.at("cost_of_sample"))},
+          json.at("samples"),
           number_from(json.at("light_of_samples"))};
 }
 

@@ -41,7 +41,7 @@ class ChainGroups {
   // Before the first sample: the film is pooled, and so many samples are made beside the chains.
   void pool(const Pooling& pooling) requires Group<Chains> {
     samples_per_step_ = pooling.samples_per_step;
-    for (const auto& group : groups_) group->divide(pooling.partition);
+    for (const auto& group : groups_) group->divide(pooling);
   }
 
   // The seed pass: so many more samples of each slice.

@@ -25,7 +25,7 @@ concept Group = ChainSource<G> &&
              MutationStatistics& statistics, ChainDraws& draws, SharedFilm& pixels,
              TotalFilm& total, LargeSampleFilm& samples) {
   { made.rays() } -> std::same_as<std::uint64_t>;  // of its samples
-  group.divide(Partition{});                       // before the first sample, if the film is pooled
+  group.divide(Pooling{});                       // before the first sample, if the film is pooled
   group.share(pixels, 1.0);
   group.share(pixels, total, 1.0);  // of a pooled film
   group.move_samples_to(samples);
@@ -55,9 +55,9 @@ class ChainGroup {
 
   static constexpr std::span<const std::string_view> move_names() { return Chains::move_names(); }
   std::uint64_t rays() const { return source_.rays(); }
-  void divide(const Partition& partition) {
+  void divide(const Pooling& pooling) {
     const Space& space = source_.space();
-    parts_.emplace(partition, space.scene().film_shape(), space.max_vertices(), layout_);
+    parts_.emplace(pooling, space.scene().film_shape(), space.max_vertices(), layout_);
   }
   // Before the chains start, and beside them.
   void add_seeds(std::uint64_t count) {
@@ -113,7 +113,8 @@ class ChainGroup {
 
   GroupFindings findings() const {
     const double scale = steps_ > 0 ? light_of_deposits() / static_cast<double>(steps_) : 0;
-    GroupFindings found{&tally(), &source_.evidence(), &film_, parts_ ? &*parts_ : nullptr, scale};
+    GroupFindings found{
+        &tally(), &seed_tally(), &source_.evidence(), &film_, parts_ ? &*parts_ : nullptr, scale};
     for (std::size_t k = 0; k < states_.size(); ++k) {
       const double count = states_[k].count();
       found.states.push_back(

@@ -16,20 +16,26 @@ namespace wander {
 // now and then.
 class PooledParts {
  public:
-  PooledParts(const Partition& partition, std::span<const int> film, int max_vertices,
+  PooledParts(const Pooling& pooling, std::span<const int> film, int max_vertices,
               const FilmLayout& layout)
-      : partition_(partition),
+      : pooling_(pooling),
         of_chains_(film, max_vertices, layout),
         list_(film, max_vertices, layout) {
     if (!layout.is_large(film)) of_samples_.emplace(film, max_vertices, layout);
   }
 
-  const Partition& partition() const { return partition_; }
+  const Pooling& pooling() const { return pooling_; }
+  const Partition& partition() const { return pooling_.partition; }
   GroupFilm& of_chains() { return of_chains_; }
   const GroupFilm& of_chains() const { return of_chains_; }
   // Σ over samples; of a film that is not large.
   const GroupFilm& of_samples() const { return of_samples_.value(); }
 
+  // What a path of l = `ratio` brings that is `light` of its sample; of a film that is not large.
+  bool takes_paths() const { return of_samples_.has_value(); }
+  void add_path(int vertices, int bin, double light, double ratio) {
+    of_samples_->add(vertices, bin, light * partition().of_samples(ratio));
+  }
   // A whole sample, of which each path comes with the light l w_B.
   void add_sample(const Contributions& sample) {
     if (!of_samples_) return list_.add(sample);
@@ -48,7 +54,7 @@ class PooledParts {
   }
 
  private:
-  Partition partition_;
+  Pooling pooling_;
   GroupFilm of_chains_;
   std::optional<GroupFilm> of_samples_;
   SampleList list_;  // empty when a run is kept
@@ -64,10 +70,13 @@ class SampleWatcher {
 
   // By the balance heuristic w f/p is l, or the part of it that a path is of a sample.
   void found(const Path<W>& x, int technique, double light) {
+    if (R == Ratios::of_paths && parts_->takes_paths())
+      return parts_->add_path(x.size(), space_->bin(x), light, light);
     sample_.push_back({x.size(), technique, space_->bin(x), light});
     if constexpr (W::channels > 1) sample_.back().tint = colour(x).colour;
   }
   void end_sample(double total) {
+    if (R == Ratios::of_paths && parts_->takes_paths()) return;
     for (Contribution& path : sample_)
       path.value *= parts_->partition().of_samples(R == Ratios::of_paths ? path.value : total);
     parts_->add_sample(sample_);

@@ -18,9 +18,14 @@ std::vector<double> weights_of(std::span<const GroupFindings> groups) {
 }
 
 KeptFindings::KeptFindings(const GroupFindings& found)
-    : seeds_(*found.seeds), evidence_(*found.evidence), film_(*found.film), found_(found) {
+    : seeds_(*found.seeds),
+      of_seeds_(*found.of_seeds),
+      evidence_(*found.evidence),
+      film_(*found.film),
+      found_(found) {
   for (const StateRatios& stratum : found.states) states_.push_back(*stratum.ratios);
   found_.seeds = &seeds_;
+  found_.of_seeds = &of_seeds_;
   found_.evidence = &evidence_;
   found_.film = &film_;
   if (found.parts) found_.parts = &parts_.emplace(*found.parts);

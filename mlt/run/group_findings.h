@@ -25,7 +25,8 @@ struct ClassLight {
 };
 
 struct GroupFindings {
-  const SeedTally* seeds;
+  const SeedTally* seeds;     // of all samples
+  const SeedTally* of_seeds;  // of those that the chains started from
   const SeedEvidence* evidence;
   const GroupFilm* film;     // of all that the chains deposited
   const PooledParts* parts;  // of a pooled film; else none
@@ -50,7 +51,7 @@ class KeptFindings {
   const GroupFindings& found() const { return found_; }
 
  private:
-  SeedTally seeds_;
+  SeedTally seeds_, of_seeds_;
   SeedEvidence evidence_;
   GroupFilm film_;
   std::optional<PooledParts> parts_;

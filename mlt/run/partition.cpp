@@ -56,15 +56,18 @@ bool is_telling(const Pilot& pilot) {
 }
 
 Pooling pooling(const Pilot& pilot, double samples_per_step) {
-  if (pilot.samples == 0) return {{}, samples_per_step};
-  return {{light(pilot) * samples_per_step * pilot.steps_per_draw}, samples_per_step};
+  if (pilot.samples == 0) return {.samples_per_step = samples_per_step};
+  return {.partition = {light(pilot) * samples_per_step * pilot.steps_per_draw},
+          .samples_per_step = samples_per_step,
+          .steps_per_draw = pilot.steps_per_draw,
+          .cost_of_sample = pilot.rays / pilot.samples / rays_per_step};
 }
 
 Pooling best_pooling(const Pilot& pilot, std::size_t bins) {
   Pooling best = pooling(pilot, fewest_samples_per_step);
   if (!is_telling(pilot)) return best;
   double least = std::numeric_limits<double>::infinity();
-  const double cost = pilot.rays / pilot.samples / rays_per_step;
+  const double cost = best.cost_of_sample;
   for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2) {
     if (rho > fewest_samples_per_step && rho * cost > most_cost) break;
     const Pooling tried = pooling(pilot, rho);

@@ -35,10 +35,12 @@ struct Partition {
 struct Pooling {
   Partition partition{};
   double samples_per_step = 0;
+  double steps_per_draw = 0;  // by the pilot
+  double cost_of_sample = 0;  // in steps
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(partition, samples_per_step);
+    archive(partition, samples_per_step, steps_per_draw, cost_of_sample);
   }
 };
 

@@ -30,7 +30,8 @@ class SeedReplayError : public std::runtime_error {
 };
 
 // What normalization asks of a slice beside its tally: the ratios l = f / p̄ of what it found, by
-// stratum (seeds.h), and Σ w f/p of each cell of the film's raster and of each class.
+// stratum (seeds.h), where by the balance heuristic w f/p is l; and of the samples with seeds, Σ w f/p
+// of each cell of the film's raster and of each class.
 struct SeedEvidence {
   std::vector<RatioHistogram> ratios;
   std::vector<Sum> film;
@@ -140,10 +141,9 @@ class SeedSlice {
       total += weight;
       by_length_[static_cast<std::size_t>(x.size()) - 2] += weight;
       tally_.total += weight;
-      if (tally_.techniques.has(x.size()))
-        tally_.techniques.row(x.size())[static_cast<std::size_t>(s)] += weight;
-      if (takes_seeds_) seeds_.offer_path({index, x.size(), s, weight});
-      keep(x, weight);
+      if constexpr (Seeds::ratios == Ratios::of_paths)
+        evidence_.ratios[Seeds::stratum(x.size())].add(weight);
+      if (takes_seeds_) keep(x, {index, x.size(), s, weight});
       watcher.found(x, s, weight);
     });
     watcher.end_sample(total);
@@ -159,12 +159,13 @@ class SeedSlice {
     }
   }
 
-  // By the balance heuristic w f/p is f / Σ p_{s,t}.
-  void keep(const Path<W>& x, double weight) {
-    if constexpr (Seeds::ratios == Ratios::of_paths)
-      evidence_.ratios[Seeds::stratum(x.size())].add(weight);
-    evidence_.film[raster_.cell(space_->bin(x))] += weight;
-    evidence_.by_class[evidence_.classes.index(path_class_of(x))] += weight;
+  // A path that may become a seed.
+  void keep(const Path<W>& x, const Seed& seed) {
+    seeds_.offer_path(seed);
+    if (tally_.techniques.has(seed.vertices))
+      tally_.techniques.row(seed.vertices)[static_cast<std::size_t>(seed.technique)] += seed.weight;
+    evidence_.film[raster_.cell(space_->bin(x))] += seed.weight;
+    evidence_.by_class[evidence_.classes.index(path_class_of(x))] += seed.weight;
   }
 
   const Space* space_;

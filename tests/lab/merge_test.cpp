@@ -183,7 +183,7 @@ TEST(MergedChains, ScaledToTheSeedPassHaveTheMeanOfTheirFilms) {
 TEST(MergedChains, OfPooledFilmsHaveTheMeanOfThem) {
   const Job job = chains_job(NormalizationMethod::bridge, FilmParts::pooled);
   const std::vector<Kept> runs{kept_run(job, 1, 300'000), kept_run(job, 2, 300'000)};
-  ASSERT_NE(runs[0].found.pooling->border, runs[1].found.pooling->border);
+  ASSERT_NE(runs[0].found.pooling->how.partition.c, runs[1].found.pooling->how.partition.c);
   ASSERT_EQ(runs[0].found.pooling->samples, runs[1].found.pooling->samples);
   const Rendering all = merged(job, runs);
   EXPECT_EQ(all.pooling->samples, 2 * runs[0].found.pooling->samples);

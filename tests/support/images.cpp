@@ -63,7 +63,7 @@ RunRecord chains_image_run(int width, int height, int channels) {
   rendering.normalization->standard_error = 0.002;
   rendering.film.by_length[2] = rendering.film.value;
   rendering.film.by_length[5] = rendering.film.standard_error;
-  rendering.pooling = {0.5, 32'768, 0.25};
+  rendering.pooling = {{{0.5}, 0.25, 16, 3}, 32'768, 0.25};
   rendering.chains_film.emplace();
   rendering.chains_film->shape = rendering.film.shape;
   for (const double value : rendering.film.value)

@@ -41,8 +41,10 @@ class Groups {
     if (first > 0) group.film.add(2, 0, first);
     if (second > 0) group.film.add(3, 1, second);
     findings_.push_back({&group.tally,
+                         &group.tally,
                          &group.evidence,
                          &group.film,
+                         nullptr,
                          first + second > 0 ? 1.0 : 0.0,
                          {{&group.states, 1.0}},
                          {{0b1, first}, {0b10, second}}});

@@ -26,8 +26,12 @@ class Groups {
         const int bin = static_cast<int>(bins * std::pow(random.uniform(), 2));
         for (int k = 0; k < kept && i < steps; ++k, ++i) film.add(2, bin, 1);
       }
-      findings_.push_back(
-          {.seeds = &tally_, .evidence = &evidence_, .film = &film, .parts = nullptr, .scale = 1});
+      findings_.push_back({.seeds = &tally_,
+                           .of_seeds = &tally_,
+                           .evidence = &evidence_,
+                           .film = &film,
+                           .parts = nullptr,
+                           .scale = 1});
     }
   }
   std::span<const GroupFindings> findings() const { return findings_; }
@@ -73,6 +77,7 @@ TEST(Pilots, AddUpWhatTheirGroupsFound) {
   GroupFilm film(bins, 4);
   film.add(2, 1, 1);
   const GroupFindings group{.seeds = &tally,
+                            .of_seeds = &tally,
                             .evidence = &evidence,
                             .film = &film,
                             .parts = nullptr,

@@ -32,6 +32,7 @@ class Groups {
     held.parts.of_chains().add(2, 0, hard_first);
     held.parts.of_chains().add(3, 1, hard_second);
     findings_.push_back({.seeds = &held.tally,
+                         .of_seeds = &held.tally,
                          .evidence = nullptr,
                          .film = &held.film,
                          .parts = &held.parts,
@@ -44,7 +45,7 @@ class Groups {
   struct Held {
     SeedTally tally{4};
     GroupFilm film{2, 4};
-    PooledParts parts{{border}, two_bins, 4, {}};
+    PooledParts parts{{{border}}, two_bins, 4, {}};
   };
   std::list<Held> held_;
   std::vector<GroupFindings> findings_;

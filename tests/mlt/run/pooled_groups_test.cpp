@@ -64,7 +64,7 @@ class Trial {
  private:
   Group made(int g, double light) const {
     Group group(space_, kernel_, 1, g, chains);
-    group.divide({border_of(light)});
+    group.divide({{border_of(light)}});
     group.add_seeds(samples);
     return group;
   }
