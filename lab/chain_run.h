@@ -131,7 +131,8 @@ class ChainRun final : public LiveRun {
  private:
   static constexpr std::uint64_t steps_per_round = 1024;  // of each group
 
-  // Of all groups together.
+  // Of all groups together; few chains, so that they are long.
+  static constexpr int chains_of_pilot = 16;
   static constexpr std::uint64_t pilot_samples = 1 << 13, most_pilot_samples = 1 << 15;
   std::uint64_t steps_of_pilot() const {
     constexpr double share = 1. / 32, steps_per_second = 1e6, fewest = 1 << 12, most = 1 << 18;
@@ -144,6 +145,7 @@ class ChainRun final : public LiveRun {
   }
   Pilot make_pilot() const {
     ChainSettings settings = settings_;
+    settings.groups = std::min(settings.groups, chains_of_pilot);
     settings.chains_per_group = 1;
     settings.film_parts = FilmParts::raster;
     const auto trial = make_(settings, seed_of_pilot(run_.session().seed));

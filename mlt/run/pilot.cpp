@@ -1,6 +1,6 @@
 #include "mlt/run/pilot.h"
 
-#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace wander {
@@ -31,8 +31,15 @@ double steps_per_draw(std::span<const GroupFindings> groups, std::uint64_t steps
     spread += (squares[j] - count * p * p) / (count - 1);
     even += p * (1 - p);
   }
+  if (!(even > 0)) return 1;
   const auto n = static_cast<double>(steps);
-  return even > 0 ? std::clamp(n * spread / even, 1.0, n) : 1;
+  // x by halving the octaves in which it may lie: R falls with x.
+  double low = 0.5, high = 2 * n;
+  while (high / low > 1.001) {
+    const double x = std::sqrt(low * high);
+    (2 * (x - 1 + std::exp(-x)) > spread / even * x * x ? low : high) = x;
+  }
+  return 2 * n / std::sqrt(low * high);
 }
 
 Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t steps) {
