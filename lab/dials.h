@@ -15,14 +15,14 @@
 namespace wander {
 
 struct Dials {
-  MutationWeights mutations{};                     // of mlt; empty: auto
-  StepEstimator estimator = StepEstimator::usual;  // of pssmlt and mmlt
-  std::optional<int> max_vertices{};               // of the paths; none: what the scene says
-  ChainSettings chains{};                          // of the Markov chain methods
-  Precision precision = Precision::of_double;      // of scattering, densities and sampling
-  double large_step = default_large_step;          // of the primary steps, the share that is large
-  double kernel = 1;                               // a factor on how far small moves go
-  FilmLayout film{};                               // what is kept of the film
+  MutationWeights mutations{};                            // of mlt; empty: auto
+  StepEstimator estimator = StepEstimator::usual;         // of pssmlt and mmlt
+  std::optional<int> max_vertices{};                      // of the paths; none: what the scene says
+  ChainSettings chains{.film_parts = FilmParts::pooled};  // of the Markov chain methods
+  Precision precision = Precision::of_double;             // of scattering, densities and sampling
+  double large_step = default_large_step;  // of the primary steps, the share that is large
+  double kernel = 1;                       // a factor on how far small moves go
+  FilmLayout film{};                       // what is kept of the film
 
   FamilySettings family() const { return {mutations, large_step, kernel}; }
   bool operator==(const Dials&) const = default;

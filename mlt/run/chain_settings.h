@@ -18,7 +18,7 @@ struct ChainSettings {
   // Fewer chains run, but one at least, where a budget would give each fewer steps than this: they
   // would be too short to mix.  0: all run, however short they are.
   std::uint64_t steps_per_chain = 1 << 16;
-  FilmParts film_parts = FilmParts::pooled;
+  FilmParts film_parts = FilmParts::chains;
   // Of the seed pass: samples per mutation, seconds per second of chains.  None: as many as a pilot
   // finds best, for a pooled film, or else the usual.
   std::optional<double> seed_share{};

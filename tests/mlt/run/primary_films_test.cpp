@@ -108,10 +108,8 @@ using Renderer = decltype(PrimaryMethod::render);
 
 Decision furnace_lengths(Renderer render) {
   const auto scene = furnace().build();
-  const ChainSettings settings{.groups = 16,
-                               .film_parts = FilmParts::chains,
-                               .fewest_seeds = 1024,
-                               .normalization = NormalizationMethod::seed_pass};
+  const ChainSettings settings{
+      .groups = 16, .fewest_seeds = 1024, .normalization = NormalizationMethod::seed_pass};
   std::map<int, std::vector<Moments>> runs;
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     const Rendering r = render(*scene, budget_of(4000, seed), settings);
@@ -164,7 +162,6 @@ Decision mean_of_runs(Renderer render, Effort effort) {
   const std::vector<double> exact = blocked_film();
   const ChainSettings settings{.groups = 32,
                                .chains_per_group = 1,
-                               .film_parts = FilmParts::chains,
                                .seed_share = 0,
                                .fewest_seeds = effort.seeds,
                                .normalization = NormalizationMethod::seed_pass};
