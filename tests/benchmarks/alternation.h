@@ -9,10 +9,10 @@
 
 #include <benchmark/benchmark.h>
 
-#include <chrono>
 #include <vector>
 
 #include "tests/benchmarks/bench_scene.h"
+#include "work/clock.h"
 
 namespace wander {
 
@@ -35,8 +35,7 @@ struct AlternationTotals {
 template <World W, class Worker>
 void alternate(benchmark::State& state, Scene<W>& scene, std::vector<Worker>& workers,
                const char* rate) {
-  using Clock = std::chrono::steady_clock;
-  const auto seconds = [](Clock::duration d) { return std::chrono::duration<double>(d).count(); };
+  const auto now = [] { return system_clock().now().processor; };
   const std::size_t count = workers.size();
   std::vector<RayLog<W>> logs(count);
   AlternationTotals totals;
@@ -51,13 +50,13 @@ void alternate(benchmark::State& state, Scene<W>& scene, std::vector<Worker>& wo
     double work = 0;
     for (std::size_t k = 0; k < count; ++k) {
       const auto& log = logs[(k + count / 2) % count];
-      const auto start = Clock::now();
+      const auto start = now();
       workers[k].take_turn();
-      const auto middle = Clock::now();
+      const auto middle = now();
       benchmark::DoNotOptimize(cast_closest(scene, log) + cast_any(scene, log));
-      const auto end = Clock::now();
-      work += seconds(middle - start);
-      totals.cast_seconds += seconds(end - middle);
+      const auto end = now();
+      work += middle - start;
+      totals.cast_seconds += end - middle;
       totals.rays += static_cast<double>(log.closest.size() + log.any.size());
     }
     totals.work_seconds += work;

@@ -4,8 +4,16 @@
 
 #include "core/transport.h"
 
-namespace wander::test {
+namespace wander {
 
+namespace test {
 using FlatlandExtended = Universe<2, long double>;
+}
 
-}  // namespace wander::test
+// No processor has lanes for its lengths.
+template <>
+struct AcceleratorOf<test::FlatlandExtended, 2> {
+  using Type = Bvh<test::FlatlandExtended>;
+};
+
+}  // namespace wander

@@ -33,8 +33,8 @@ Scaled with_uniform_light(const Transition& t, PointPath z, int added) {
 }
 
 void forget_deletion(const Transition& t, Proposal& p) {
-  p.forward /= B::deletion_pmf(t.x.size())[t.move.deleted];
-  p.reverse /= B::deletion_pmf(t.y.size())[t.move.added];
+  p.forward /= length_pmfs.deletion(t.x.size())[t.move.deleted];
+  p.reverse /= length_pmfs.deletion(t.y.size())[t.move.added];
 }
 void forget_placement(const Transition& t, Proposal& p) {
   p.forward /= B::placement_probability(t.x.size(), t.move.deleted, t.move.kept);
@@ -46,7 +46,7 @@ void forget_addition(const Transition& t, Proposal& p) {
   p.reverse /= B::add_probability(kept, added, deleted, t.graph.max_vertices());
 }
 void delete_the_same_on_the_way_back(const Transition& t, Proposal& p) {
-  const auto pmf = B::deletion_pmf(t.y.size());
+  const auto pmf = length_pmfs.deletion(t.y.size());
   p.reverse *= pmf[std::min(t.move.deleted, t.y.size())] / pmf[t.move.added];
 }
 void add_around_the_same_number_on_the_way_back(const Transition& t, Proposal& p) {

@@ -3,7 +3,6 @@
 // shown that both make the same chain: acceptance of each mutation, and the film.  See
 // docs/benchmarks.md.
 #include <fmt/format.h>
-#include <time.h>
 
 #include <cmath>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "tests/benchmarks/bench_scene.h"
 #include "tests/benchmarks/workers.h"
 #include "tests/benchmarks/yardstick/plane_kernel.h"
+#include "work/clock.h"
 
 namespace wander {
 
@@ -21,11 +21,7 @@ namespace {
 
 constexpr int chains = 32, steps_per_turn = 4096, turns = 48;
 
-double cpu_seconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
+double cpu_seconds() { return system_clock().now().processor; }
 
 // What one chain has done: its film, and of each mutation how often and with which acceptance.
 struct Record {
