@@ -52,8 +52,9 @@ class ChainRun final : public LiveRun {
     if (is_prepared()) return;
     const Pilot pilot = make_pilot();
     if (run_.is_interrupted()) return;
-    pooling_ = settings_.seed_share ? pooling(pilot, *settings_.seed_share)
-                                    : best_pooling(pilot, values_of(shape()));
+    const std::size_t bins = values_of(shape());
+    pooling_ = settings_.seed_share ? pooling(pilot, *settings_.seed_share, bins)
+                                    : best_pooling(pilot, bins);
     // Where samples go on beside the chains, seeds need no more than the fewest.
     if (!settings_.seed_share && is_telling(pilot)) seed_share_ = 0;
     groups_->pool(*pooling_);

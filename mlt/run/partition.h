@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "mlt/seeds/ratio_histogram.h"
 
@@ -35,7 +36,7 @@ struct Partition {
 struct Pooling {
   Partition partition{};
   double samples_per_step = 0;
-  double steps_per_draw = 0;  // by the pilot
+  double steps_per_draw = 0;  // τ
   double cost_of_sample = 0;  // in steps
 
   template <class Archive>
@@ -46,34 +47,45 @@ struct Pooling {
 
 // What a pilot knows (pilot.h): a small run that is no part of the film.
 struct Pilot {
-  // Of its samples, l of what they found, and how many rays they took; of its chains, l of their states.
+  // Of its samples, l of what they found, and how many rays they took.
   RatioHistogram found{};
   double samples = 0, rays = 0;
-  RatioHistogram states{};
-  // How many steps of a chain tell as much as one independent draw; of a usual scene.
+  // Of each of its chains, l of the states; and how many steps it made.
+  std::vector<RatioHistogram> states{};
+  double steps = 0;
+  // How many steps tell as much of the film as one independent draw; of a usual scene.
   double steps_per_draw = 16;
 };
 
 // How many rays of samples are taken to cost as much as a step.
-inline constexpr double rays_per_step = 8;
+inline constexpr double rays_per_step = 5;
 
-// With ρ samples per step, the balance heuristic between n_B samples and n_M = n_B / (ρ τ) draws is
-//   c = b n_B / n_M = b ρ τ,   τ = steps_per_draw,
-// and the variance of the film, summed over all bins and times the steps, is about
-//   V(ρ) = A + τ b² E_π[w_M²] + b² A / (bins (∫ f w_B)²),   A = b E_π[l w_B²] / ρ:
+// With ρ samples per step the variance of the film, summed over all bins and times the steps, is about
+//   V(ρ, c) = A + τ b² E_π[w_M²] + b² A / (bins (∫ f w_B)²),   A = b E_π[l w_B²] / ρ:
 // the samples' part, the chains', and that of b itself (pooled_film.h), which moves all bins.  E_π is
 // over the states of the chains, which know the fireflies that samples have not yet drawn; without
-// states b E_π[g] is what the samples say of it, E_B[Σ l g].  The ρ that has the least V(ρ) (1 + ρ κ),
-// with κ the cost of a sample in steps, of the powers of two between these; but no more than with
-// which samples take most_cost times as long as steps.
+// states b E_π[g] is what the samples say of it, E_B[Σ l g].  Were the steps n_M = n_B / (ρ τ)
+// independent draws, the best border would be that of the balance heuristic, c = b n_B / n_M = b ρ τ.
+// But chains that are slow to go from easy light to hard make the hard light uncertain, whatever they
+// know of the film: τ is the larger of that of the film and that of w_M (pilot.h), which c has a part in.
+//
+// The ρ and c that have the least V (1 + ρ κ), with κ the cost of a sample in steps; ρ of the powers of
+// two between these, but no more than with which samples take most_cost times as long as steps, and
+// c of the powers of two times b.
 inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 8,
                         most_cost = 6;
 Pooling best_pooling(const Pilot& pilot, std::size_t bins);
 
-// The same for so many samples per step; nothing is left to samples where the pilot found no light.
-Pooling pooling(const Pilot& pilot, double samples_per_step);
+// The best c for so many samples per step; nothing is left to samples where the pilot found no light.
+Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins);
 
 // Did enough of its samples find light to choose by?
 bool is_telling(const Pilot& pilot);
+
+// How many steps tell as much as one draw, if the means of chains of n steps have a variance of so
+// many times that of one draw.  Where autocorrelation falls as e^(-2 i/τ) that is, with x = 2 n/τ,
+//   R = 2 (x - 1 + e^(-x)) / x²,
+// which is τ/n where chains are long, and 1 where they have not moved.  Between 1 and 4 n.
+double steps_per_draw(double variance_ratio, double steps);
 
 }  // namespace wander

@@ -1,6 +1,6 @@
 #include "mlt/run/pilot.h"
 
-#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace wander {
@@ -10,7 +10,7 @@ std::uint64_t seed_of_pilot(std::uint64_t seed) {
   return (seed ^ 0x70696C6F74) * 0x9E3779B97F4A7C15;
 }
 
-double steps_per_draw(std::span<const GroupFindings> groups, std::uint64_t steps) {
+double steps_per_draw_of_film(std::span<const GroupFindings> groups, std::uint64_t steps) {
   std::vector<double> sums(groups.front().film->bins()), squares(sums.size());
   double count = 0;
   for (const GroupFindings& group : groups) {
@@ -31,15 +31,7 @@ double steps_per_draw(std::span<const GroupFindings> groups, std::uint64_t steps
     spread += (squares[j] - count * p * p) / (count - 1);
     even += p * (1 - p);
   }
-  if (!(even > 0)) return 1;
-  const auto n = static_cast<double>(steps);
-  // x by halving the octaves in which it may lie: R falls with x.
-  double low = 0.5, high = 2 * n;
-  while (high / low > 1.001) {
-    const double x = std::sqrt(low * high);
-    (2 * (x - 1 + std::exp(-x)) > spread / even * x * x ? low : high) = x;
-  }
-  return 2 * n / std::sqrt(low * high);
+  return even > 0 ? steps_per_draw(spread / even, static_cast<double>(steps)) : 1;
 }
 
 Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t steps) {
@@ -47,10 +39,13 @@ Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t
   for (const GroupFindings& group : groups) {
     pilot.samples += static_cast<double>(group.seeds->samples);
     for (const RatioHistogram& stratum : group.evidence->ratios) pilot.found.add(stratum, 1);
-    for (const StateRatios& stratum : group.states)
-      pilot.states.add(*stratum.ratios, stratum.weight);
+    RatioHistogram states;
+    for (const StateRatios& stratum : group.states) states.add(*stratum.ratios, stratum.weight);
+    if (states.count() > 0) pilot.states.push_back(std::move(states));
   }
-  if (steps > 0) pilot.steps_per_draw = steps_per_draw(groups, steps);
+  if (steps == 0) return pilot;
+  pilot.steps = static_cast<double>(steps);
+  pilot.steps_per_draw = steps_per_draw_of_film(groups, steps);
   return pilot;
 }
 

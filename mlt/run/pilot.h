@@ -12,14 +12,12 @@ namespace wander {
 // The seed of the pilot of a run with this seed.
 std::uint64_t seed_of_pilot(std::uint64_t seed);
 
-// From what its groups found, after so many steps of each.
+// From what its groups found, each with one chain, or one of each length, after so many steps of each
+// group.
 Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t steps);
 
 // τ, from the variance of the groups' films between each other, over that of a single draw,
 //   R = Σ_j Var_g(share of bin j) / Σ_j p_j (1 - p_j).
-// Of a chain of n steps whose autocorrelation falls as e^(-2 i/τ) it is, with x = 2 n/τ,
-//   R = 2 (x - 1 + e^(-x)) / x²,
-// which is τ/n where the chain is long, and 1 where it has not moved.  Between 1 and 4 n.
-double steps_per_draw(std::span<const GroupFindings> groups, std::uint64_t steps);
+double steps_per_draw_of_film(std::span<const GroupFindings> groups, std::uint64_t steps);
 
 }  // namespace wander

@@ -60,8 +60,10 @@ class Run:
         return film_of(record) if record else None
 
     def command(self, program):
+        # Methods are studied against each other: chains are to have no merit that is the samples'.
+        alone = ["--film", "chains"] if self.method == "mlt" else []
         return [str(program), "render", f"gallery:{self.scene}", "-m", self.method, "-b", str(self.samples),
-                "-s", str(self.seed), *self.options]
+                "-s", str(self.seed), *alone, *self.options]
 
 
 def amount(text):

@@ -18,13 +18,14 @@ Pilot pilot_of(std::initializer_list<std::pair<double, int>> paths, double sampl
 }
 constexpr std::size_t bins = 100;
 
-double work(const Pilot& pilot, double rho) {
-  const Pooling with = pooling(pilot, rho);
+// V (1 + ρ κ), of a pilot without states.
+double work(const Pilot& pilot, const Pooling& with) {
+  const double c = with.partition.c, rho = with.samples_per_step;
   double b = 0, samples = 0, chains = 0, easy = 0;
   for (int i = pilot.found.first(); i < pilot.found.end(); ++i) {
     const auto [count, sum] = pilot.found[i];
     if (count == 0) continue;
-    const double l = sum / count, c = with.partition.c;
+    const double l = sum / count;
     b += sum / pilot.samples;
     samples += count / pilot.samples * std::pow(c * l / (l + c), 2);
     chains += count / pilot.samples * l * std::pow(l / (l + c), 2);
@@ -44,9 +45,11 @@ TEST(Partition, LeavesNothingOut) {
 }
 
 TEST(Pooling, IsTheBalanceOfSamplesAndDraws) {
-  const Pooling even = pooling(pilot_of({{2, 5000}}), 0.5);
+  const Pooling even = pooling(pilot_of({{2, 5000}}), 0.5, bins);
   EXPECT_DOUBLE_EQ(even.samples_per_step, 0.5);
-  EXPECT_NEAR(even.partition.c, 1.0 * 0.5 * Pilot{}.steps_per_draw, 1e-12) << "b = 1";
+  EXPECT_NEAR(even.partition.c, 1.0 * 0.5 * Pilot{}.steps_per_draw, 1e-12) << "b = 1, to an octave";
+  EXPECT_EQ(even.steps_per_draw, Pilot{}.steps_per_draw);
+  EXPECT_EQ(even.cost_of_sample, 0.5);
 }
 
 TEST(Pooling, TakesTheLeastWork) {
@@ -55,8 +58,14 @@ TEST(Pooling, TakesTheLeastWork) {
         pilot_of({{0.1, 3000}, {30, 100}})}) {
     if (!is_telling(pilot)) continue;
     const Pooling best = best_pooling(pilot, bins);
+    const double least = work(pilot, best) * (1 + 1e-9);
     for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2)
-      EXPECT_LE(work(pilot, best.samples_per_step), work(pilot, rho) * (1 + 1e-9)) << rho;
+      EXPECT_LE(least, work(pilot, pooling(pilot, rho, bins)) * (1 + 1e-8)) << rho;
+    for (const double factor : {0.25, 0.5, 2.0, 4.0}) {
+      Pooling other = best;
+      other.partition.c *= factor;
+      EXPECT_LE(least, work(pilot, other) * (1 + 1e-8)) << factor;
+    }
   }
 }
 
@@ -87,13 +96,41 @@ TEST(Pooling, LeavesAllToTheChainsWhereThePilotSawNothing) {
   EXPECT_EQ(best_pooling(pilot_of({}), bins).partition.c, 0);
 }
 
-// States tell of a firefly that the samples have not drawn; then its part of the light is no longer
-// theirs.
+// Of chains that see the hard light half of the time each.
 TEST(Pooling, HearsOfFirefliesFromTheChains) {
   Pilot pilot = pilot_of({{1, 10'000}});
   EXPECT_EQ(best_pooling(pilot, bins).samples_per_step, most_samples_per_step);
-  for (int i = 0; i < 500; ++i) pilot.states.add(i % 2 == 0 ? 1 : 1e5);
+  pilot.steps = 1000;
+  for (int g = 0; g < 16; ++g) {
+    RatioHistogram& states = pilot.states.emplace_back();
+    for (int i = 0; i < 1000; ++i) states.add(i % 2 == 0 ? 1 : 1e5);
+  }
   EXPECT_LT(best_pooling(pilot, bins).samples_per_step, 1);
+}
+
+// Where each chain stays in the light that it began in, chains know less of the hard light than their
+// film says, and more of it is left to samples.
+TEST(Pooling, LeavesLessToChainsThatStayWhereTheyBegan) {
+  Pilot mixed = pilot_of({{1, 5000}, {50, 100}}), stuck = mixed;
+  mixed.steps = stuck.steps = 1000;
+  for (int g = 0; g < 16; ++g) {
+    RatioHistogram &of_mixed = mixed.states.emplace_back(), &of_stuck = stuck.states.emplace_back();
+    for (int i = 0; i < 1000; ++i) {
+      of_mixed.add(i % 2 == 0 ? 1 : 50);
+      of_stuck.add(g % 2 == 0 ? 1 : 50);
+    }
+  }
+  const Pooling a = pooling(mixed, 1, bins), b = pooling(stuck, 1, bins);
+  EXPECT_EQ(a.steps_per_draw, Pilot{}.steps_per_draw);
+  EXPECT_GT(b.steps_per_draw, 1000);
+  EXPECT_GT(b.partition.c, 8 * a.partition.c);
+}
+
+TEST(StepsPerDraw, AreTheSharesOfVarianceOfLongChainsAndMoreOfShortOnes) {
+  EXPECT_NEAR(steps_per_draw(0.001, 1e5), 100, 0.5);
+  EXPECT_NEAR(steps_per_draw(2 * (std::exp(-1.)), 1000), 2000, 4) << "x = 1";
+  EXPECT_NEAR(steps_per_draw(1, 1000), 4000, 10) << "not moved";
+  EXPECT_NEAR(steps_per_draw(0, 1000), 1, 0.01);
 }
 
 }  // namespace
