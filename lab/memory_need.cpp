@@ -34,6 +34,7 @@ struct Size {
         lengths(layout.keeps_lengths(shape, max_vertices) ? max_vertices - 1 : 0) {
     if (!job.method().is_markov_chain()) return;
     moves = job.method().state == ChainState::path ? static_cast<double>(Family::count) : 2;
+    if (job.dials().chains.film_parts == FilmParts::pooled) alone = is_large ? 1 : 2;
     maps = 2 * moves * static_cast<double>(layout.maps_of(shape).cells());
   }
 
@@ -43,15 +44,18 @@ struct Size {
   bool is_large;
   double bins, cells;  // a bin is one channel of a pixel
   double lengths;      // of which films are kept
+  double alone = 0;    // numbers of the film of the chains alone, of a bin
   double moves = 0;    // mutations of the chains
   double maps = 0;     // numbers
 };
 
-double result_of(const Size& size) { return size.bins * (of_result + size.lengths * of_double); }
+double result_of(const Size& size) {
+  return size.bins * (of_result + (size.lengths + size.alone) * of_double);
+}
 
 // The planes of the image, and a few of its rows packed and not.
 double files_of(const Size& size) {
-  const double planes = 3 + size.lengths + (size.maps > 0 ? 2 * size.moves : 0);
+  const double planes = 3 + size.alone + size.lengths + (size.maps > 0 ? 2 * size.moves : 0);
   const double row = size.shape.size() == 1 ? 1 : 0.1;
   return result_of(size) + size.bins * of_float * planes * (1 + 3 * row);
 }
@@ -73,10 +77,8 @@ void need_of_pooling(MemoryNeed& need, const Size& size, double groups) {
   if (size.is_large) {
     need.films += groups * size.cells * of_sum;
     need.films += size.bins * (sizeof(BinSums) + size.lengths * of_double + sizeof(std::int64_t));
-    need.end += size.bins * of_double;
   } else {
     need.films += 2 * groups * size.cells * (1 + size.lengths) * of_sum;
-    need.end += result_of(size);
   }
 }
 
