@@ -12,6 +12,7 @@ namespace wander {
 template <World W>
 class FewCurves {
  public:
+  using Universe = W;
   using Length = typename W::Length;
   // Of more curves a hierarchy is quicker.
   static constexpr std::size_t most = 64;

@@ -1,4 +1,4 @@
-// Each hierarchy finds what a search through all shapes finds, bit for bit.
+// Each hierarchy, and the list of few curves, finds what a search through all shapes finds, bit for bit.
 #include "core/geometry/accelerator.h"
 
 #include <gtest/gtest.h>
@@ -107,7 +107,8 @@ class Hierarchy : public ::testing::Test {
     return hit;
   }
 };
-using Hierarchies = ::testing::Types<Bvh<Flatland>, Bvh<Spaceland>, WideBvh<Spaceland>>;
+using Hierarchies =
+    ::testing::Types<Bvh<Flatland>, Bvh<Spaceland>, WideBvh<Spaceland>, FewCurves<Flatland>>;
 TYPED_TEST_SUITE(Hierarchy, Hierarchies);
 
 TYPED_TEST(Hierarchy, FindsTheClosestHit) {
