@@ -129,7 +129,7 @@ void ChainFindings::normalize(Rendering& r) const {
   if (is_pooled()) {
     PooledFilm pooled = pooled_film(b[method], groups);
     r.film = std::move(pooled.film);
-    r.pooling = {groups.front().parts->pooling(), tally_of(groups).samples,
+    r.pooling = {groups.front().parts.front().pooling(), tally_of(groups).samples,
                  pooled.light_of_samples};
     r.chains_film = chains_film(method, b[method], groups);
   } else {

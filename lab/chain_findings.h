@@ -64,7 +64,7 @@ class ChainFindings final : public Findings {
   std::vector<GroupFindings> weighed_groups() const;
   FilmEstimate unbiased() const;
   FilmEstimate unbiased(const Part& part) const;
-  bool is_pooled() const { return groups_.front().parts != nullptr; }
+  bool is_pooled() const { return !groups_.front().parts.empty(); }
   bool is_large() const { return parts_.front().shared.has_value(); }
   std::vector<SharedLight> shared_light() const;
   FilmEstimate chains_film(NormalizationMethod method, const Constant& b,

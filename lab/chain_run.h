@@ -157,6 +157,7 @@ class ChainRun final : public LiveRun {
       if (is_telling(pilot) || run_.is_interrupted()) break;
     }
     if (!is_telling(pilot) || run_.is_interrupted()) return pilot;
+    for (const double c : borders_around(pilot.b())) trial->pool({.partition = {c}});
     trial->start(1);
     trial->advance_to(steps_of_pilot());
     return found_by(*trial, trial->steps() / trial->active());

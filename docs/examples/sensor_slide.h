@@ -65,9 +65,11 @@ struct SensorSlide {
 };
 
 inline constexpr std::array<Parameter<SensorSlide>, 1> sensor_slide_parameters{
-    {{"reach", "how far the end moves, as a share of the sensor", 1, [](SensorSlide& m) -> Ends {
-        return {m.reach, m.reach};
-      }}}};
+    {{"reach", "how far the end moves, as a share of the sensor", 1,
+      [](const SensorSlide& m) {
+        return Ends{m.reach, m.reach};
+      },
+      [](SensorSlide& m, Ends ends) { m.reach = ends.largest; }}}};
 
 template <>
 inline constexpr Traits<SensorSlide> traits<SensorSlide>{.parameters = sensor_slide_parameters};

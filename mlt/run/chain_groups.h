@@ -38,7 +38,8 @@ class ChainGroups {
   std::uint64_t count() const { return groups_.size(); }
   Chains& operator[](int group) const { return *groups_[static_cast<std::size_t>(group)]; }
 
-  // Before the first sample: the film is pooled, and so many samples are made beside the chains.
+  // Before the first sample: the film is pooled, and so many samples are made beside the chains.  Of a
+  // pilot, when it has made its samples, once for each border.
   void pool(const Pooling& pooling) requires Group<Chains> {
     samples_per_step_ = pooling.samples_per_step;
     for (const auto& group : groups_) group->divide(pooling);

@@ -25,7 +25,7 @@ concept Group = ChainSource<G> &&
              MutationStatistics& statistics, ChainDraws& draws, SharedFilm& pixels,
              TotalFilm& total, LargeSampleFilm& samples) {
   { made.rays() } -> std::same_as<std::uint64_t>;  // of its samples
-  group.divide(Pooling{});                       // before the first sample, if the film is pooled
+  group.divide(Pooling{});                         // before the first sample, if the film is pooled
   group.share(pixels, 1.0);
   group.share(pixels, total, 1.0);  // of a pooled film
   group.move_samples_to(samples);
@@ -57,12 +57,13 @@ class ChainGroup {
   std::uint64_t rays() const { return source_.rays(); }
   void divide(const Pooling& pooling) {
     const Space& space = source_.space();
-    parts_.emplace(pooling, space.scene().film_shape(), space.max_vertices(), layout_);
+    parts_.emplace_back(pooling, space.scene().film_shape(), space.max_vertices(), layout_);
   }
   // Before the chains start, and beside them.
   void add_seeds(std::uint64_t count) {
-    if (!parts_) return source_.add_seeds(count);
-    source_.add_seeds(count, SampleWatcher<Space, Chains::Seeds::ratios>(source_.space(), *parts_));
+    if (parts_.empty()) return source_.add_seeds(count);
+    source_.add_seeds(count,
+                      SampleWatcher<Space, Chains::Seeds::ratios>(source_.space(), parts_.front()));
   }
   const SeedTally& tally() const { return source_.tally(); }
   const SeedTally& seed_tally() const { return source_.seed_tally(); }
@@ -94,10 +95,10 @@ class ChainGroup {
   void share(SharedFilm& pixels, double factor) { film_.share(pixels, factor); }
   // if it is pooled, of their part of it and of all.
   void share(SharedFilm& pixels, TotalFilm& total, double factor) {
-    parts_->of_chains().share(pixels, factor);
+    parts_.front().of_chains().share(pixels, factor);
     film_.share(total, factor);
   }
-  void move_samples_to(LargeSampleFilm& film) { parts_->move_samples_to(film); }
+  void move_samples_to(LargeSampleFilm& film) { parts_.front().move_samples_to(film); }
   // What its deposits, over the number of its steps, have to be multiplied by to be light.
   double light_of_deposits() const {
     return Chains::deposits == Deposits::shares ? seed_tally().mean() : 1;
@@ -113,8 +114,7 @@ class ChainGroup {
 
   GroupFindings findings() const {
     const double scale = steps_ > 0 ? light_of_deposits() / static_cast<double>(steps_) : 0;
-    GroupFindings found{
-        &tally(), &seed_tally(), &source_.evidence(), &film_, parts_ ? &*parts_ : nullptr, scale};
+    GroupFindings found{&tally(), &seed_tally(), &source_.evidence(), &film_, parts_, scale};
     for (std::size_t k = 0; k < states_.size(); ++k) {
       const double count = states_[k].count();
       found.states.push_back(
@@ -130,7 +130,7 @@ class ChainGroup {
   template <class Archive>
   void serialize_seeds(Archive& archive) {
     archive(source_);
-    if (parts_) archive(*parts_);
+    for (PooledParts& parts : parts_) archive(parts);
   }
   // Between two steps.  What follows from the slices is left out: start_chains() makes it again.
   template <class Archive>
@@ -157,9 +157,10 @@ class ChainGroup {
             static_cast<int>(k), step, member.current,
             [this](const auto& state, int vertices, int bin, double weight, const auto& colour) {
               film_.add(vertices, bin, weight, colour);
-              if (!parts_) return;
-              const double w_M = parts_->partition().of_chains(source_.ratio(state));
-              parts_->of_chains().add(vertices, bin, weight * w_M, colour);
+              for (PooledParts& parts : parts_) {
+                const double w_M = parts.partition().of_chains(source_.ratio(state));
+                parts.of_chains().add(vertices, bin, weight * w_M, colour);
+              }
             });
         const Observation seen = source_.observation(step, member.current);
         statistics_.observe(seen, member.runs);
@@ -186,7 +187,7 @@ class ChainGroup {
   Chains source_;
   FilmLayout layout_;
   GroupFilm film_;
-  std::optional<PooledParts> parts_;
+  std::vector<PooledParts> parts_;  // one, if the film is pooled; of a pilot, one of each border
   std::vector<RatioHistogram> states_;  // by stratum: f / p̄ of the state after each step
   MutationStatistics statistics_;
   std::optional<typename Chains::Turns> turns_;  // once the chains have started

@@ -28,7 +28,8 @@ KeptFindings::KeptFindings(const GroupFindings& found)
   found_.of_seeds = &of_seeds_;
   found_.evidence = &evidence_;
   found_.film = &film_;
-  if (found.parts) found_.parts = &parts_.emplace(*found.parts);
+  parts_.assign(found.parts.begin(), found.parts.end());
+  found_.parts = parts_;
   for (std::size_t k = 0; k < states_.size(); ++k) found_.states[k].ratios = &states_[k];
 }
 

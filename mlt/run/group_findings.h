@@ -2,7 +2,6 @@
 // are made of.  Groups are independent of each other.
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,8 +27,8 @@ struct GroupFindings {
   const SeedTally* seeds;     // of all samples
   const SeedTally* of_seeds;  // of those that the chains started from
   const SeedEvidence* evidence;
-  const GroupFilm* film;     // of all that the chains deposited
-  const PooledParts* parts;  // of a pooled film; else none
+  const GroupFilm* film;               // of all that the chains deposited
+  std::span<const PooledParts> parts;  // one, of a pooled film; of a pilot, one of each border
   double scale;  // makes of deposits an estimate of the light that falls on a bin, times `weight`
   std::vector<StateRatios> states{};
   std::vector<ClassLight> classes{};  // empty where states have no class
@@ -54,7 +53,7 @@ class KeptFindings {
   SeedTally seeds_, of_seeds_;
   SeedEvidence evidence_;
   GroupFilm film_;
-  std::optional<PooledParts> parts_;
+  std::vector<PooledParts> parts_;
   std::vector<RatioHistogram> states_;
   GroupFindings found_;  // of the members above
 };

@@ -1,6 +1,5 @@
 #include "mlt/run/partition.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -9,7 +8,7 @@ namespace wander {
 namespace {
 
 constexpr double enough_effective_samples = 64;
-constexpr double smallest_border = 0x1p-4, largest_border = 0x1p24;  // over b
+constexpr double smallest_border = 0x1p-2, largest_border = 0x1p18;  // over b
 
 // Σ over the cells of a histogram of f(number of paths, their l).
 template <class F>
@@ -29,57 +28,41 @@ double mean(const RatioHistogram& states, G&& g) {
 // What V is made of.
 class Variance {
  public:
-  Variance(const Pilot& pilot, std::size_t bins) : pilot_(pilot), bins_(static_cast<double>(bins)) {
-    b_ = sum(pilot.found, [](double paths, double l) { return paths * l; }) / pilot.samples;
-    for (const RatioHistogram& states : pilot.states) states_.add(states, 1);
-  }
+  Variance(const Pilot& pilot, std::size_t bins)
+      : pilot_(pilot), bins_(static_cast<double>(bins)) {}
 
   double b() const { return b_; }
   // V(ρ, c)
-  double of(const Partition& side, double samples_per_step) const {
+  double of(const Pilot::Border& border, double samples_per_step) const {
+    const Partition side{border.c};
     const auto samples = [&](double l) { return side.of_samples(l); };
     const auto chains = [&](double l) { return side.of_chains(l); };
     const double of_samples =
         light_times([&](double l) { return l * samples(l) * samples(l); }) / samples_per_step;
     const double of_chains = light_times([&](double l) { return chains(l) * chains(l); });
     const double easy = light_times(samples);
-    return of_samples + steps_per_draw(side) * b_ * of_chains +
+    return of_samples + border.steps_per_draw * b_ * of_chains +
            b_ * b_ * of_samples / (bins_ * easy * easy);
-  }
-  // τ
-  double steps_per_draw(const Partition& side) const {
-    return std::max(pilot_.steps_per_draw, steps_per_draw_of_hard_light(side));
   }
 
  private:
   // b E_π[g(l)]
   template <class G>
   double light_times(G&& g) const {
-    if (states_.count() > 0) return b_ * mean(states_, g);
+    if (pilot_.states.count() > 0) return b_ * mean(pilot_.states, g);
     return sum(pilot_.found, [&](double paths, double l) { return paths * l * g(l); }) /
            pilot_.samples;
   }
-  // By how the chains differ in the mean of w_M.
-  double steps_per_draw_of_hard_light(const Partition& side) const {
-    if (pilot_.states.size() < 2) return 0;
-    const auto chains = [&](double l) { return side.of_chains(l); };
-    double sum = 0, squares = 0;
-    for (const RatioHistogram& states : pilot_.states) {
-      const double hard = mean(states, chains);
-      sum += hard;
-      squares += hard * hard;
-    }
-    const double n = static_cast<double>(pilot_.states.size());
-    const double spread = (squares - sum * sum / n) / (n - 1), all = mean(states_, chains);
-    const double of_draw =
-        mean(states_, [&](double l) { return chains(l) * chains(l); }) - all * all;
-    return wander::steps_per_draw(of_draw > 0 ? spread / of_draw : 0, pilot_.steps);
-  }
-
   const Pilot& pilot_;
-  double bins_, b_ = 0;
-  RatioHistogram states_;
+  double bins_, b_;
 };
+
+std::vector<Pilot::Border> borders_of(const Pilot& pilot) {
+  if (!pilot.borders.empty()) return pilot.borders;
+  std::vector<Pilot::Border> borders;
+  for (const double c : borders_around(pilot.b())) borders.push_back({c, usual_steps_per_draw});
+  return borders;
+}
 
 struct Choice {
   Pooling pooling;
@@ -89,18 +72,27 @@ struct Choice {
 Choice best_border(const Pilot& pilot, const Variance& variance, double samples_per_step) {
   const double cost = pilot.rays / pilot.samples / rays_per_step;
   Choice best{.pooling = {.samples_per_step = samples_per_step, .cost_of_sample = cost}};
-  for (double c = smallest_border; c <= largest_border; c *= 2) {
-    const Partition side{c * variance.b()};
-    const double work = variance.of(side, samples_per_step) * (1 + samples_per_step * cost);
+  for (const Pilot::Border& border : borders_of(pilot)) {
+    const double work = variance.of(border, samples_per_step) * (1 + samples_per_step * cost);
     if (!(work < best.work)) continue;
     best.work = work;
-    best.pooling.partition = side;
-    best.pooling.steps_per_draw = variance.steps_per_draw(side);
+    best.pooling.partition = {border.c};
+    best.pooling.steps_per_draw = border.steps_per_draw;
   }
   return best;
 }
 
 }  // namespace
+
+double Pilot::b() const {
+  return sum(found, [](double paths, double l) { return paths * l; }) / samples;
+}
+
+std::vector<double> borders_around(double b) {
+  std::vector<double> borders;
+  for (double c = smallest_border; c <= largest_border; c *= 4) borders.push_back(c * b);
+  return borders;
+}
 
 double steps_per_draw(double variance_ratio, double steps) {
   // x by halving the octaves in which it may lie: R falls with x.

@@ -50,13 +50,22 @@ struct Pilot {
   // Of its samples, l of what they found, and how many rays they took.
   RatioHistogram found{};
   double samples = 0, rays = 0;
-  // Of each of its chains, l of the states; and how many steps it made.
-  std::vector<RatioHistogram> states{};
-  double steps = 0;
-  // How many steps tell as much of the film as one independent draw; of a usual scene.
-  double steps_per_draw = 16;
+  // Of its chains, l of the states.
+  RatioHistogram states{};
+  // With a border, how many steps tell as much of the chains' part of the film as one independent draw.
+  struct Border {
+    double c, steps_per_draw;
+  };
+  std::vector<Border> borders{};
+
+  double b() const;
 };
 
+// The borders that are tried.
+std::vector<double> borders_around(double b);
+
+// τ where no chains have told it.
+inline constexpr double usual_steps_per_draw = 16;
 // How many rays of samples are taken to cost as much as a step.
 inline constexpr double rays_per_step = 5;
 
@@ -66,12 +75,10 @@ inline constexpr double rays_per_step = 5;
 // over the states of the chains, which know the fireflies that samples have not yet drawn; without
 // states b E_π[g] is what the samples say of it, E_B[Σ l g].  Were the steps n_M = n_B / (ρ τ)
 // independent draws, the best border would be that of the balance heuristic, c = b n_B / n_M = b ρ τ.
-// But chains that are slow to go from easy light to hard make the hard light uncertain, whatever they
-// know of the film: τ is the larger of that of the film and that of w_M (pilot.h), which c has a part in.
+// But τ depends on c: chains that know easy light well may be slow to come to the hard.
 //
 // The ρ and c that have the least V (1 + ρ κ), with κ the cost of a sample in steps; ρ of the powers of
-// two between these, but no more than with which samples take most_cost times as long as steps, and
-// c of the powers of two times b.
+// two between these, but no more than with which samples take most_cost times as long as steps.
 inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 8,
                         most_cost = 6;
 Pooling best_pooling(const Pilot& pilot, std::size_t bins);

@@ -1,6 +1,6 @@
 #include "mlt/run/pilot.h"
 
-#include <utility>
+#include <cmath>
 #include <vector>
 
 namespace wander {
@@ -10,7 +10,8 @@ std::uint64_t seed_of_pilot(std::uint64_t seed) {
   return (seed ^ 0x70696C6F74) * 0x9E3779B97F4A7C15;
 }
 
-double steps_per_draw_of_film(std::span<const GroupFindings> groups, std::uint64_t steps) {
+double steps_per_draw(std::span<const GroupFindings> groups, std::size_t border,
+                      const RatioHistogram& states, std::uint64_t steps) {
   std::vector<double> sums(groups.front().film->bins()), squares(sums.size());
   double count = 0;
   for (const GroupFindings& group : groups) {
@@ -18,20 +19,25 @@ double steps_per_draw_of_film(std::span<const GroupFindings> groups, std::uint64
     for (std::size_t j = 0; j < sums.size(); ++j) mass += group.film->weight(j);
     if (!(mass > 0)) continue;
     ++count;
+    const GroupFilm& film = group.parts[border].of_chains();
     for (std::size_t j = 0; j < sums.size(); ++j) {
-      const double share = group.film->weight(j) / mass;
+      const double share = film.weight(j) / mass;
       sums[j] += share;
       squares[j] += share * share;
     }
   }
-  if (count < 2) return Pilot{}.steps_per_draw;
-  double spread = 0, even = 0;
+  if (count < 2) return usual_steps_per_draw;
+  const Partition& side = groups.front().parts[border].partition();
+  double spread = 0, of_draw = 0;
+  for (int i = states.first(); i < states.end(); ++i)
+    if (const auto [number, sum] = states[i]; number > 0)
+      of_draw += number * std::pow(side.of_chains(sum / number), 2) / states.count();
   for (std::size_t j = 0; j < sums.size(); ++j) {
-    const double p = sums[j] / count;
-    spread += (squares[j] - count * p * p) / (count - 1);
-    even += p * (1 - p);
+    const double mean = sums[j] / count;
+    spread += (squares[j] - count * mean * mean) / (count - 1);
+    of_draw -= mean * mean;
   }
-  return even > 0 ? steps_per_draw(spread / even, static_cast<double>(steps)) : 1;
+  return steps_per_draw(of_draw > 0 ? spread / of_draw : 0, static_cast<double>(steps));
 }
 
 Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t steps) {
@@ -39,13 +45,14 @@ Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t
   for (const GroupFindings& group : groups) {
     pilot.samples += static_cast<double>(group.seeds->samples);
     for (const RatioHistogram& stratum : group.evidence->ratios) pilot.found.add(stratum, 1);
-    RatioHistogram states;
-    for (const StateRatios& stratum : group.states) states.add(*stratum.ratios, stratum.weight);
-    if (states.count() > 0) pilot.states.push_back(std::move(states));
+    for (const StateRatios& stratum : group.states)
+      pilot.states.add(*stratum.ratios, stratum.weight);
   }
   if (steps == 0) return pilot;
-  pilot.steps = static_cast<double>(steps);
-  pilot.steps_per_draw = steps_per_draw_of_film(groups, steps);
+  const std::span<const PooledParts> parts = groups.front().parts;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    pilot.borders.push_back(
+        {parts[k].partition().c, steps_per_draw(groups, k, pilot.states, steps)});
   return pilot;
 }
 

@@ -12,12 +12,14 @@ namespace wander {
 // The seed of the pilot of a run with this seed.
 std::uint64_t seed_of_pilot(std::uint64_t seed);
 
-// From what its groups found, each with one chain, or one of each length, after so many steps of each
-// group.
+// From what its groups found, each with a part of each border, after so many steps of each.
 Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t steps);
 
-// τ, from the variance of the groups' films between each other, over that of a single draw,
-//   R = Σ_j Var_g(share of bin j) / Σ_j p_j (1 - p_j).
-double steps_per_draw_of_film(std::span<const GroupFindings> groups, std::uint64_t steps);
+// τ of the chains' part with border k, from the variance of the groups' films between each other, over
+// that of a single draw,
+//   R = Σ_j Var_g(D^M_gj) / (E_π[w_M²] - Σ_j (mean of D^M_gj)²),
+// where D^M_gj is what group g deposits on bin j with the weight w_M, as a share of all its deposits.
+double steps_per_draw(std::span<const GroupFindings> groups, std::size_t border,
+                      const RatioHistogram& states, std::uint64_t steps);
 
 }  // namespace wander

@@ -63,8 +63,8 @@ class RunSums {
       }
     };
     for (const GroupFindings& group : groups_) {
-      add(group.parts->of_samples(), samples * bins_ / samples_);
-      if (mass_ > 0) add(group.parts->of_chains(), chains * bins_ * group.scale / mass_);
+      add(group.parts.front().of_samples(), samples * bins_ / samples_);
+      if (mass_ > 0) add(group.parts.front().of_chains(), chains * bins_ * group.scale / mass_);
     }
   }
 
@@ -73,8 +73,8 @@ class RunSums {
     return static_cast<double>(group.seeds->samples);
   }
   static Parts deposits(const GroupFindings& group, std::size_t bin) {
-    return {group.parts->of_samples().weight(bin),
-            group.scale * group.parts->of_chains().weight(bin)};
+    return {group.parts.front().of_samples().weight(bin),
+            group.scale * group.parts.front().of_chains().weight(bin)};
   }
   static Parts scaled(const Parts& sums, double samples, double mass, double bins) {
     return {bins * sums.of_samples / samples, mass > 0 ? bins * sums.of_chains / mass : 0};

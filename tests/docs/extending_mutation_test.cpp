@@ -75,9 +75,8 @@ TEST(OwnMutation, HasAParameterThatCanBeSet) {
   ASSERT_EQ(traits<SensorSlide>.parameters.size(), 1u);
   const Parameter<SensorSlide>& reach = traits<SensorSlide>.parameters.front();
   EXPECT_EQ(reach.name, "reach");
-  const Ends ends = reach.ends(slide);
-  EXPECT_EQ(ends.smallest, slide.reach);
-  ends.smallest = ends.largest = 0.05;
+  EXPECT_EQ(reach.ends(slide).smallest, slide.reach);
+  reach.set(slide, {0.05, 0.05});
   EXPECT_EQ(slide.reach, 0.05);
 }
 

@@ -44,7 +44,7 @@ class Groups {
                          &group.tally,
                          &group.evidence,
                          &group.film,
-                         nullptr,
+                         {},
                          first + second > 0 ? 1.0 : 0.0,
                          {{&group.states, 1.0}},
                          {{0b1, first}, {0b10, second}}});

@@ -32,7 +32,7 @@ double work(const Pilot& pilot, const Pooling& with) {
     easy += count / pilot.samples * c * l / (l + c);
   }
   const double of_b = std::pow(b / easy, 2) * samples / bins;
-  return ((samples + of_b) / rho + pilot.steps_per_draw * b * chains) * (1 + rho / 2);
+  return ((samples + of_b) / rho + usual_steps_per_draw * b * chains) * (1 + rho / 2);
 }
 
 TEST(Partition, LeavesNothingOut) {
@@ -47,8 +47,8 @@ TEST(Partition, LeavesNothingOut) {
 TEST(Pooling, IsTheBalanceOfSamplesAndDraws) {
   const Pooling even = pooling(pilot_of({{2, 5000}}), 0.5, bins);
   EXPECT_DOUBLE_EQ(even.samples_per_step, 0.5);
-  EXPECT_NEAR(even.partition.c, 1.0 * 0.5 * Pilot{}.steps_per_draw, 1e-12) << "b = 1, to an octave";
-  EXPECT_EQ(even.steps_per_draw, Pilot{}.steps_per_draw);
+  EXPECT_NEAR(std::log2(even.partition.c / (1.0 * 0.5 * usual_steps_per_draw)), 0, 1.01) << "b = 1";
+  EXPECT_EQ(even.steps_per_draw, usual_steps_per_draw);
   EXPECT_EQ(even.cost_of_sample, 0.5);
 }
 
@@ -61,7 +61,7 @@ TEST(Pooling, TakesTheLeastWork) {
     const double least = work(pilot, best) * (1 + 1e-9);
     for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2)
       EXPECT_LE(least, work(pilot, pooling(pilot, rho, bins)) * (1 + 1e-8)) << rho;
-    for (const double factor : {0.25, 0.5, 2.0, 4.0}) {
+    for (const double factor : {0.25, 4.0}) {
       Pooling other = best;
       other.partition.c *= factor;
       EXPECT_LE(least, work(pilot, other) * (1 + 1e-8)) << factor;
@@ -96,33 +96,23 @@ TEST(Pooling, LeavesAllToTheChainsWhereThePilotSawNothing) {
   EXPECT_EQ(best_pooling(pilot_of({}), bins).partition.c, 0);
 }
 
-// Of chains that see the hard light half of the time each.
+// Of chains that see the hard light half of the time.
 TEST(Pooling, HearsOfFirefliesFromTheChains) {
   Pilot pilot = pilot_of({{1, 10'000}});
   EXPECT_EQ(best_pooling(pilot, bins).samples_per_step, most_samples_per_step);
-  pilot.steps = 1000;
-  for (int g = 0; g < 16; ++g) {
-    RatioHistogram& states = pilot.states.emplace_back();
-    for (int i = 0; i < 1000; ++i) states.add(i % 2 == 0 ? 1 : 1e5);
-  }
+  for (int i = 0; i < 1000; ++i) pilot.states.add(i % 2 == 0 ? 1 : 1e5);
   EXPECT_LT(best_pooling(pilot, bins).samples_per_step, 1);
 }
 
-// Where each chain stays in the light that it began in, chains know less of the hard light than their
-// film says, and more of it is left to samples.
-TEST(Pooling, LeavesLessToChainsThatStayWhereTheyBegan) {
-  Pilot mixed = pilot_of({{1, 5000}, {50, 100}}), stuck = mixed;
-  mixed.steps = stuck.steps = 1000;
-  for (int g = 0; g < 16; ++g) {
-    RatioHistogram &of_mixed = mixed.states.emplace_back(), &of_stuck = stuck.states.emplace_back();
-    for (int i = 0; i < 1000; ++i) {
-      of_mixed.add(i % 2 == 0 ? 1 : 50);
-      of_stuck.add(g % 2 == 0 ? 1 : 50);
-    }
+TEST(Pooling, LeavesLessToChainsThatMixBadly) {
+  Pilot quick = pilot_of({{1, 5000}, {50, 100}}), slow = quick;
+  for (const double c : borders_around(quick.b())) {
+    quick.borders.push_back({c, 10});
+    slow.borders.push_back({c, 1000});
   }
-  const Pooling a = pooling(mixed, 1, bins), b = pooling(stuck, 1, bins);
-  EXPECT_EQ(a.steps_per_draw, Pilot{}.steps_per_draw);
-  EXPECT_GT(b.steps_per_draw, 1000);
+  const Pooling a = pooling(quick, 1, bins), b = pooling(slow, 1, bins);
+  EXPECT_EQ(a.steps_per_draw, 10);
+  EXPECT_EQ(b.steps_per_draw, 1000);
   EXPECT_GT(b.partition.c, 8 * a.partition.c);
 }
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <list>
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int bins = 8;
 constexpr std::uint64_t steps = 800;
+constexpr double border = 3;
 
 // Films of 64 groups whose draws are kept for so many steps.
 class Groups {
@@ -20,42 +22,56 @@ class Groups {
   explicit Groups(int kept) {
     for (std::uint32_t g = 0; g < 64; ++g) {
       GroupFilm& film = films_.emplace_back(bins, 4);
+      PooledParts& parts =
+          parts_.emplace_back(Pooling{.partition = {border}}, std::array{bins}, 4, FilmLayout{});
       Rng random(1, Purpose::test, g);
       random.start(static_cast<std::uint64_t>(kept));
       for (std::uint64_t i = 0; i < steps;) {
         const int bin = static_cast<int>(bins * std::pow(random.uniform(), 2));
-        for (int k = 0; k < kept && i < steps; ++k, ++i) film.add(2, bin, 1);
+        const double l = bin % 2 == 0 ? 1 : 9;  // so that w_M is 1/4 or 3/4
+        for (int k = 0; k < kept && i < steps; ++k, ++i) {
+          film.add(2, bin, 1);
+          parts.of_chains().add(2, bin, parts.partition().of_chains(l));
+          states_.add(l);
+        }
       }
       findings_.push_back({.seeds = &tally_,
                            .of_seeds = &tally_,
                            .evidence = &evidence_,
                            .film = &film,
-                           .parts = nullptr,
+                           .parts = {&parts, 1},
                            .scale = 1});
     }
   }
   std::span<const GroupFindings> findings() const { return findings_; }
+  const RatioHistogram& states() const { return states_; }
 
  private:
   SeedTally tally_{4};
   SeedEvidence evidence_{1, bins};
   std::list<GroupFilm> films_;
+  std::list<PooledParts> parts_;
+  RatioHistogram states_;
   std::vector<GroupFindings> findings_;
 };
 
 // A sum of 8 variances of 64 groups is known to 8 % and better: the bounds are six of that.
-TEST(StepsPerDrawOfFilm, IsHowLongAStateIsKept) {
+TEST(StepsPerDrawOfFilms, IsHowLongAStateIsKept) {
   for (const int kept : {1, 5, 40}) {
     const Groups groups(kept);
-    EXPECT_NEAR(steps_per_draw_of_film(groups.findings(), steps) / kept, 1, 0.5) << kept;
+    EXPECT_NEAR(steps_per_draw(groups.findings(), 0, groups.states(), steps) / kept, 1, 0.5)
+        << kept;
   }
 }
 
-TEST(StepsPerDrawOfFilm, IsNoMoreThanFourTimesTheStepsAndUsualWhereNothingIsKnown) {
+TEST(StepsPerDrawOfFilms, IsNoMoreThanFourTimesTheStepsAndUsualWhereNothingIsKnown) {
   Groups stuck(static_cast<int>(steps));
-  EXPECT_LE(steps_per_draw_of_film(stuck.findings(), steps), 4.01 * static_cast<double>(steps));
-  EXPECT_GT(steps_per_draw_of_film(stuck.findings(), steps), 2 * static_cast<double>(steps));
-  EXPECT_EQ(steps_per_draw_of_film(stuck.findings().first(1), steps), Pilot{}.steps_per_draw);
+  EXPECT_LE(steps_per_draw(stuck.findings(), 0, stuck.states(), steps),
+            4.01 * static_cast<double>(steps));
+  EXPECT_GT(steps_per_draw(stuck.findings(), 0, stuck.states(), steps),
+            2 * static_cast<double>(steps));
+  EXPECT_EQ(steps_per_draw(stuck.findings().first(1), 0, stuck.states(), steps),
+            usual_steps_per_draw);
 }
 
 TEST(Pilots, HaveSeedsOfTheirOwn) {
@@ -80,16 +96,15 @@ TEST(Pilots, AddUpWhatTheirGroupsFound) {
                             .of_seeds = &tally,
                             .evidence = &evidence,
                             .film = &film,
-                            .parts = nullptr,
+                            .parts = {},
                             .scale = 1,
                             .states = {{&states, 0.25}, {&states, 0.5}}};
   const Pilot pilot = pilot_of(std::vector{group, group}, 300, 0);
   EXPECT_EQ(pilot.samples, 100);
   EXPECT_EQ(pilot.rays, 300);
   EXPECT_EQ(pilot.found.count(), 6);
-  ASSERT_EQ(pilot.states.size(), 2u);
-  EXPECT_EQ(pilot.states[0].count(), 0.75);
-  EXPECT_EQ(pilot.steps_per_draw, Pilot{}.steps_per_draw) << "no steps";
+  EXPECT_EQ(pilot.states.count(), 1.5);
+  EXPECT_TRUE(pilot.borders.empty()) << "no steps";
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ class Groups {
                          .of_seeds = &held.tally,
                          .evidence = nullptr,
                          .film = &held.film,
-                         .parts = &held.parts,
+                         .parts = {&held.parts, 1},
                          .scale = 0.25 * weight,
                          .weight = weight});
   }
