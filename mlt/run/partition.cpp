@@ -29,7 +29,7 @@ double mean(const RatioHistogram& states, G&& g) {
 class Variance {
  public:
   Variance(const Pilot& pilot, std::size_t bins)
-      : pilot_(pilot), bins_(static_cast<double>(bins)) {}
+      : pilot_(pilot), bins_(static_cast<double>(bins)), b_(pilot.b()) {}
 
   double b() const { return b_; }
   // V(ρ, c)
@@ -53,6 +53,7 @@ class Variance {
     return sum(pilot_.found, [&](double paths, double l) { return paths * l * g(l); }) /
            pilot_.samples;
   }
+
   const Pilot& pilot_;
   double bins_, b_;
 };
