@@ -115,18 +115,27 @@ FilmEstimate ChainFindings::chains_film(NormalizationMethod method, const Consta
 PooledFilm ChainFindings::pooled_film(const Constant& b,
                                       std::span<const GroupFindings> groups) const {
   if (is_large()) return wander::pooled_film(shared_light(), groups, b, shape_);
-  std::vector<int> groups_of_runs;
-  for (const Part& part : parts_) groups_of_runs.push_back(part.settings.groups);
-  return wander::pooled_film(groups, groups_of_runs, b, shape_);
+  return wander::pooled_film(groups, groups_of_runs(), b, shape_);
+}
+
+std::vector<int> ChainFindings::groups_of_runs() const {
+  std::vector<int> counts;
+  for (const Part& part : parts_) counts.push_back(part.settings.groups);
+  return counts;
 }
 
 void ChainFindings::normalize(Rendering& r) const {
   const NormalizationMethod wanted = parts_.front().settings.normalization;
   const std::vector<GroupFindings> groups = weighed_groups();
-  const Constants b = constants(groups);
-  const NormalizationMethod method = b.usable(wanted);
-  r.normalization = normalization(groups, b, wanted);
+  Constants b = constants(groups);
+  NormalizationMethod method = b.usable(wanted);
   if (is_pooled()) {
+    b.pooled = pooled_constant(groups, groups_of_runs());
+    if (wanted == NormalizationMethod::bridge && b.pooled.failure.empty())
+      method = NormalizationMethod::pooled;
+  }
+  r.normalization = normalization(groups, b, method);
+  if (is_pooled() && r.samples > 0) {
     PooledFilm pooled = pooled_film(b[method], groups);
     r.film = std::move(pooled.film);
     r.pooling = {groups.front().parts.front().pooling(), tally_of(groups).samples,
@@ -137,7 +146,7 @@ void ChainFindings::normalize(Rendering& r) const {
   }
   if (b[method].effective_samples < fewest_effective_samples)
     r.film.reliable.assign(r.film.reliable.size(), false);
-  if (method != wanted)
+  if (method == NormalizationMethod::seed_pass && method != wanted)
     r.warnings.push_back("b is the mean of the seed pass, for the " + std::string(name_of(wanted)) +
                          " estimate failed: " + b[wanted].failure);
   if (std::string alarm = disagreement_of_constants(groups, b); !alarm.empty())

@@ -67,6 +67,7 @@ class ChainFindings final : public Findings {
   bool is_pooled() const { return !groups_.front().parts.empty(); }
   bool is_large() const { return parts_.front().shared.has_value(); }
   std::vector<SharedLight> shared_light() const;
+  std::vector<int> groups_of_runs() const;
   FilmEstimate chains_film(NormalizationMethod method, const Constant& b,
                            std::span<const GroupFindings> groups) const;
   PooledFilm pooled_film(const Constant& b, std::span<const GroupFindings> groups) const;

@@ -18,11 +18,11 @@
 
 #include "lab/chain_findings.h"
 #include "lab/live_run.h"
+#include "lab/pilot_run.h"
 #include "mlt/run/chain_groups.h"
 #include "mlt/run/large_film.h"
 #include "mlt/run/normalization.h"
 #include "mlt/run/path_group.h"
-#include "mlt/run/pilot.h"
 #include "mlt/seeds/nothing_found.h"
 #include "work/parallel.h"
 
@@ -47,16 +47,23 @@ class ChainRun final : public LiveRun {
   }
 
   bool takes_seeds() const override { return !groups_->is_started(); }
-  ChainSettings settings() const override { return settings_; }
+  ChainSettings settings() const override {
+    ChainSettings now = settings_;
+    now.fewest_seeds = std::max(now.fewest_seeds, seeds_for_groups_);
+    return now;
+  }
   void prepare() override {
     if (is_prepared()) return;
-    const Pilot pilot = make_pilot();
+    const Pilot pilot = this->pilot();
     if (run_.is_interrupted()) return;
-    const std::size_t bins = values_of(shape());
-    pooling_ = settings_.seed_share ? pooling(pilot, *settings_.seed_share, bins)
-                                    : best_pooling(pilot, bins);
-    // Where samples go on beside the chains, seeds need no more than the fewest.
-    if (!settings_.seed_share && is_telling(pilot)) seed_share_ = 0;
+    pooling_ = settings_.seed_share ? with_seed_share(pilot, *settings_.seed_share)
+                                    : best_pooling(pilot, bins());
+    // Where samples go on beside the chains, seeds need no more than the fewest, or what it takes for
+    // the slice of a group to find light.
+    if (!settings_.seed_share && is_telling(pilot)) {
+      seed_share_ = 0;
+      seeds_for_groups_ = seeds_for(pilot);
+    }
     groups_->pool(*pooling_);
   }
   double seed_share() const override { return seed_share_; }
@@ -84,7 +91,7 @@ class ChainRun final : public LiveRun {
   std::uint64_t stride() const override { return steps_per_round * groups_->active(); }
   std::uint64_t first_look() const override { return 1 << 17; }
 
-  // Of the chains alone, with the constants of the seed pass.
+  // Of the chains alone with the constants of the seed pass; or pooled, as it comes out.
   FilmEstimate preview() const override {
     if (pooling_) return findings().film;
     if (const auto shared = groups_->shared_light()) return mean_film(*shared, shape());
@@ -112,14 +119,14 @@ class ChainRun final : public LiveRun {
   void save(cereal::BinaryOutputArchive& archive) const override {
     const bool is_started = groups_->is_started();
     archive(settings_.groups, chains_made_, settings_.chains_per_group, is_started, pooling_,
-            seed_share_);
+            seed_share_, seeds_for_groups_);
     groups_->serialize_seeds(archive);
     if (is_started) groups_->serialize_chains(archive);
   }
   void load(cereal::BinaryInputArchive& archive) override {
     int groups = 0, made = 0, chains = 0;
     bool is_started = false;
-    archive(groups, made, chains, is_started, pooling_, seed_share_);
+    archive(groups, made, chains, is_started, pooling_, seed_share_, seeds_for_groups_);
     make_groups(groups, made);
     if (pooling_) groups_->pool(*pooling_);
     settings_.chains_per_group = chains;
@@ -132,47 +139,35 @@ class ChainRun final : public LiveRun {
  private:
   static constexpr std::uint64_t steps_per_round = 1024;  // of each group
 
-  // Of all groups together; few chains, so that they are long.
-  static constexpr int chains_of_pilot = 16;
-  static constexpr std::uint64_t pilot_samples = 1 << 13, most_pilot_samples = 1 << 15;
-  std::uint64_t steps_of_pilot() const {
-    constexpr double share = 1. / 32, steps_per_second = 1e6, fewest = 1 << 12, most = 1 << 18;
-    double steps = most;
-    if (const auto* budget = std::get_if<SampleBudget>(&run_.session().budget))
-      steps = share * static_cast<double>(budget->samples);
-    else if (const auto* budget = std::get_if<TimeBudget>(&run_.session().budget))
-      steps = share * steps_per_second * budget->seconds;
-    return static_cast<std::uint64_t>(std::clamp(steps, fewest, most));
-  }
-  Pilot make_pilot() const {
+  Pilot pilot() const {
     ChainSettings settings = settings_;
     settings.groups = std::min(settings.groups, chains_of_pilot);
     settings.chains_per_group = 1;
     settings.film_parts = FilmParts::raster;
     const auto trial = make_(settings, seed_of_pilot(run_.session().seed));
-    Pilot pilot;
-    for (std::uint64_t count = pilot_samples; count <= most_pilot_samples; count *= 2) {
-      trial->add_seeds(count / trial->count() + 1 - (*trial)[0].tally().samples);
-      pilot = found_by(*trial, 0);
-      if (is_telling(pilot) || run_.is_interrupted()) break;
-    }
-    if (!is_telling(pilot) || run_.is_interrupted()) return pilot;
-    for (const double c : borders_around(pilot.b())) trial->pool({.partition = {c}});
-    trial->start(1);
-    trial->advance_to(steps_of_pilot());
-    return found_by(*trial, trial->steps() / trial->active());
+    return make_pilot(*trial, run_);
   }
-  static Pilot found_by(const ChainGroups<Space, Chains>& groups, std::uint64_t steps) {
-    std::vector<GroupFindings> found;
-    double rays = 0;
-    for (const auto& group : groups) {
-      found.push_back(group->findings());
-      rays += static_cast<double>(group->rays());
-    }
-    return pilot_of(found, rays, steps);
+  // All samples before the chains: of a budget of time the share is one of seconds.
+  Pooling with_seed_share(const Pilot& pilot, double share) const {
+    const bool is_of_time = std::holds_alternative<TimeBudget>(run_.session().budget);
+    const double cost = pooling(pilot, share, bins()).cost_of_sample;
+    Pooling all_before = pooling(pilot, is_of_time && cost > 0 ? share / cost : share, bins());
+    all_before.samples_per_step = 0;
+    return all_before;
+  }
+  // So that the slice of a group carries so many effective samples; no more than the usual share.
+  std::uint64_t seeds_for(const Pilot& pilot) const {
+    constexpr double effective_samples_of_slice = 16;
+    double seeds =
+        effective_samples_of_slice * settings_.groups * pilot.samples / pilot.effective_samples();
+    if (const auto* budget = std::get_if<SampleBudget>(&run_.session().budget))
+      seeds =
+          std::min(seeds, ChainSettings::usual_seed_share * static_cast<double>(budget->samples));
+    return static_cast<std::uint64_t>(std::min(seeds, 1e9));
   }
 
   bool is_prepared() const { return settings_.film_parts == FilmParts::chains || pooling_; }
+  std::size_t bins() const { return values_of(shape()); }
   std::vector<int> shape() const { return space_.scene().film_shape(); }
   MutationStatistics no_statistics() const {
     return {Chains::move_names(), settings_.film.maps_of(space_.scene().resolution()),
@@ -188,10 +183,11 @@ class ChainRun final : public LiveRun {
   const char* method_;
   const Space& space_;
   const Run& run_;
-  ChainSettings settings_;          // chains_per_group: those that run
-  int chains_made_ = 0;             // of each group, whether they run or not
-  double seed_share_;               // of the seed pass before the chains
-  std::optional<Pooling> pooling_;  // once the pilot has run
+  ChainSettings settings_;              // chains_per_group: those that run
+  int chains_made_ = 0;                 // of each group, whether they run or not
+  std::uint64_t seeds_for_groups_ = 0;  // by the pilot
+  double seed_share_;                   // of the seed pass before the chains
+  std::optional<Pooling> pooling_;      // once the pilot has run
   std::function<std::unique_ptr<ChainGroups<Space, Chains>>(const ChainSettings&,
                                                             std::uint64_t seed)>
       make_;

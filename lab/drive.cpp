@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/film_statistics.h"
+#include "mlt/seeds/nothing_found.h"
 #include "work/pace.h"
 #include "work/stopping_rule.h"
 
@@ -46,6 +47,8 @@ class Drive {
   Rendering to_the_end() {
     if (const auto* error = std::get_if<ErrorBudget>(&budget_)) aim_at(error->relative);
     const bool had_all_seeds = !run_.takes_seeds() || seed_pass();
+    if (run_.takes_seeds() && run_.seeds().samples == 0 && execution_.is_interrupted())
+      throw NothingComputed();
     if (run_.takes_seeds()) {
       // An interrupted seed pass goes on from where it was, not from the chains that now show what
       // it found.
@@ -63,6 +66,7 @@ class Drive {
 
   bool seed_pass() {
     run_.prepare();
+    seeds_begin_ = execution_.spent();
     if (const auto* error = std::get_if<ErrorBudget>(&budget_))
       seeds_to_error(share_of_error * error->relative);
     else if (const auto* time = std::get_if<TimeBudget>(&budget_))
@@ -111,7 +115,8 @@ class Drive {
     const double share = asked_for > 0 ? asked_for : ChainSettings::usual_seed_share;
     const std::uint64_t most =
         asked_for > 0 ? std::numeric_limits<std::uint64_t>::max() : run_.settings().fewest_seeds;
-    Pace pace(execution_.spent(), share / (1 + share) * seconds, seeds_per_round * slices);
+    const double end = seeds_begin_ + share / (1 + share) * (seconds - seeds_begin_);
+    Pace pace(execution_.spent(), end, seeds_per_round * slices);
     std::uint64_t done = run_.seeds().samples;
     for (double now = execution_.spent(); done == 0 || (done < most && !pace.is_over(now));
          now = execution_.spent()) {
@@ -134,7 +139,8 @@ class Drive {
     if (!budget) return 0;
     const double now = execution_.spent();
     return static_cast<std::uint64_t>(static_cast<double>(run_.seeds().samples) *
-                                      std::max(0.0, budget->seconds - now) / std::max(now, 1e-9));
+                                      std::max(0.0, budget->seconds - now) /
+                                      std::max(now - seeds_begin_, 1e-9));
   }
   // Of each group.
   int chains_for(std::uint64_t steps) const {
@@ -254,6 +260,7 @@ class Drive {
   const Budget& budget_;
   Headway headway_;
   const Keeper& keeper_;
+  double seeds_begin_ = 0;                     // of execution_.spent()
   double next_keeping_, time_of_keeping_ = 0;  // of execution_.seconds()
   double fraction_of_error_ = 0;               // of the way to the target, when last seen
 };

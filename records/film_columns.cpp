@@ -54,6 +54,9 @@ void FilmColumns::move_to(Rendering& rendering) {
   film.standard_error = std::move(film_.standard_error);
   film.reliable = std::move(film_.reliable);
   if (!rendering.chains_film) return;
+  if (chains_.value.size() != film.value.size() ||
+      (!chains_.standard_error.empty() && chains_.standard_error.size() != film.value.size()))
+    throw std::runtime_error("the lists of the chains' film differ in length");
   rendering.chains_film->value = std::move(chains_.value);
   rendering.chains_film->standard_error = std::move(chains_.standard_error);
 }

@@ -104,7 +104,8 @@ class ChainGroups {
   // The pixels of a large film; none if every group has a film of its own.
   std::optional<SharedLight> shared_light() const {
     if (!shared_) return std::nullopt;
-    SharedLight light{&*shared_, 0, samples_ ? &*samples_ : nullptr, total_ ? &*total_ : nullptr};
+    SharedLight light{&*shared_, 0, 1, samples_ ? &*samples_ : nullptr,
+                      total_ ? &*total_ : nullptr};
     if (steps_ == 0) return light;
     const auto films = static_cast<double>(shared_->count());
     light.scale = mean_light_ * films / static_cast<double>(count()) *

@@ -34,13 +34,21 @@ class PooledParts {
   // What a path of l = `ratio` brings that is `light` of its sample; of a film that is not large.
   bool takes_paths() const { return of_samples_.has_value(); }
   void add_path(int vertices, int bin, double light, double ratio) {
-    of_samples_->add(vertices, bin, light * partition().of_samples(ratio));
+    const double easy = light * partition().of_samples(ratio);
+    of_samples_->add(vertices, bin, easy);
+    count(easy);
   }
   // A whole sample, of which each path comes with the light l w_B.
   void add_sample(const Contributions& sample) {
-    if (!of_samples_) return list_.add(sample);
-    for (const Contribution& path : sample) of_samples_->add(path.vertices, path.bin, path.value);
+    for (const Contribution& path : sample) {
+      if (of_samples_) of_samples_->add(path.vertices, path.bin, path.value);
+      count(path.value);
+    }
+    if (!of_samples_) list_.add(sample);
   }
+  // Σ l w_B and its square over all paths that samples found.
+  double easy_light() const { return easy_.value(); }
+  double easy_squares() const { return easy_squares_.value(); }
   // Of a large film, since the last time.
   void move_samples_to(LargeSampleFilm& film) {
     film.merge(list_);
@@ -49,13 +57,19 @@ class PooledParts {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(of_chains_);
+    archive(of_chains_, easy_, easy_squares_);
     if (of_samples_) archive(*of_samples_);
   }
 
  private:
+  void count(double easy) {
+    easy_ += easy;
+    easy_squares_ += easy * easy;
+  }
+
   Pooling pooling_;
   GroupFilm of_chains_;
+  Sum easy_, easy_squares_;
   std::optional<GroupFilm> of_samples_;
   SampleList list_;  // empty when a run is kept
 };

@@ -16,10 +16,10 @@ namespace wander {
 struct SharedLight {
   const SharedFilms* films;
   double scale;
+  double weight = 1;  // of each group, among those of other runs (group_findings.h)
   // Of a pooled film, for which `films` are the chains' part: the samples', and all of the chains.
   const LargeSampleFilm* samples = nullptr;
   const TotalFilm* total = nullptr;
-  double weight = 1;  // of each group, among those of other runs (group_findings.h)
 };
 
 // The mean of the films of a run, of which each is a mean of groups with constants of their own.

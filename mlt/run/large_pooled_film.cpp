@@ -220,7 +220,7 @@ PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupF
       deviations[f] += (without[f] - value) * (without[f] - value);
   }
   // The samples' part has as many as it has samples [Satterthwaite 1946].
-  const double ratio = 1 + of_samples / of_chains;
+  const double ratio = of_chains > 0 ? 1 + of_samples / of_chains : 1;
   film.degrees_of_freedom = std::min(jackknife_degrees(deviations) * ratio * ratio, 1e6);
   film.by_length = pool.by_length(film.shape);
   return {std::move(film), pool.light_of_samples()};

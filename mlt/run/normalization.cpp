@@ -118,7 +118,7 @@ std::vector<LengthShare> shares_of_lengths(std::span<const GroupFindings> groups
 }  // namespace
 
 std::string_view name_of(NormalizationMethod method) {
-  constexpr std::array<std::string_view, 3> names{"seed_pass", "least_squares", "bridge"};
+  constexpr std::array<std::string_view, 4> names{"seed_pass", "least_squares", "bridge", "pooled"};
   return names[static_cast<std::size_t>(method)];
 }
 
@@ -128,6 +128,8 @@ const Constant& Constants::operator[](NormalizationMethod method) const {
       return least_squares;
     case NormalizationMethod::bridge:
       return bridge;
+    case NormalizationMethod::pooled:
+      return pooled;
     case NormalizationMethod::seed_pass:
       break;
   }
@@ -152,6 +154,8 @@ Normalization normalization(std::span<const GroupFindings> groups, const Constan
   for (const auto each : {NormalizationMethod::seed_pass, NormalizationMethod::least_squares,
                           NormalizationMethod::bridge})
     add_estimate(record, each, constants, tally.samples);
+  if (constants.pooled.failure.empty())
+    add_estimate(record, NormalizationMethod::pooled, constants, tally.samples);
   if (used != NormalizationMethod::seed_pass)
     record.by_length = shares_of_lengths(groups, constants[used]);
   return record;

@@ -5,6 +5,9 @@
 //   least_squares   the factor between the film of the seed pass and that of the chains (film_fit.h)
 //   bridge          f / p̄ of the seed pass against that of the states of the chains (bridge.h)
 //
+// Of a pooled film (pooled_film.h) there is a fourth, `pooled`, the bridge with the balance of its border,
+// to which it is scaled where the bridge is asked for.
+//
 // The error of the last two is a delete-a-group jackknife: a group takes its slice of the seed pass
 // and its chains along, which start from that slice, so what the two have in common counts, too.
 #pragma once
@@ -16,7 +19,7 @@
 
 namespace wander {
 
-enum class NormalizationMethod { seed_pass, least_squares, bridge };
+enum class NormalizationMethod { seed_pass, least_squares, bridge, pooled };
 std::string_view name_of(NormalizationMethod method);
 
 // An estimate of b, and the same from all groups but one.
@@ -30,6 +33,7 @@ struct Constant {
 
 struct Constants {
   Constant seed_pass, least_squares, bridge;
+  Constant pooled{.failure = "the film is not pooled"};
 
   const Constant& operator[](NormalizationMethod method) const;
   // The method itself; the seed pass where it failed.

@@ -1,5 +1,6 @@
 #include "mlt/run/partition.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -20,37 +21,43 @@ double sum(const RatioHistogram& ratios, F&& f) {
   }
   return total;
 }
-template <class G>
-double mean(const RatioHistogram& states, G&& g) {
-  return sum(states, [&](double count, double l) { return count * g(l); }) / states.count();
-}
-
-// What V is made of.
+// V / b², of which each part is made of l / b.
 class Variance {
  public:
   Variance(const Pilot& pilot, std::size_t bins)
       : pilot_(pilot), bins_(static_cast<double>(bins)), b_(pilot.b()) {}
 
   double b() const { return b_; }
-  // V(ρ, c)
+  // V(ρ, c) / b²
   double of(const Pilot::Border& border, double samples_per_step) const {
-    const Partition side{border.c};
-    const auto samples = [&](double l) { return side.of_samples(l); };
-    const auto chains = [&](double l) { return side.of_chains(l); };
+    const Partition side{border.c / b_};
+    const auto second_moment = [&](double l) {
+      return l * side.of_samples(l) * side.of_samples(l);
+    };
+    // Few of either have seen what is bright and rare.
     const double of_samples =
-        light_times([&](double l) { return l * samples(l) * samples(l); }) / samples_per_step;
-    const double of_chains = light_times([&](double l) { return chains(l) * chains(l); });
-    const double easy = light_times(samples);
-    return of_samples + border.steps_per_draw * b_ * of_chains +
-           b_ * b_ * of_samples / (bins_ * easy * easy);
+        std::max(by_states(second_moment), by_samples(second_moment)) / samples_per_step;
+    const double of_chains =
+        light_times([&](double l) { return side.of_chains(l) * side.of_chains(l); });
+    const double easy = light_times([&](double l) { return side.of_samples(l); });
+    return of_samples + border.steps_per_draw * of_chains + of_samples / (bins_ * easy * easy);
   }
 
  private:
-  // b E_π[g(l)]
+  // E_π[g(l / b)]
   template <class G>
   double light_times(G&& g) const {
-    if (pilot_.states.count() > 0) return b_ * mean(pilot_.states, g);
-    return sum(pilot_.found, [&](double paths, double l) { return paths * l * g(l); }) /
+    return pilot_.states.count() > 0 ? by_states(g) : by_samples(g);
+  }
+  template <class G>
+  double by_states(G&& g) const {
+    const RatioHistogram& states = pilot_.states;
+    if (!(states.count() > 0)) return 0;
+    return sum(states, [&](double count, double l) { return count * g(l / b_); }) / states.count();
+  }
+  template <class G>
+  double by_samples(G&& g) const {
+    return sum(pilot_.found, [&](double paths, double l) { return paths * (l / b_) * g(l / b_); }) /
            pilot_.samples;
   }
 
@@ -105,10 +112,17 @@ double steps_per_draw(double variance_ratio, double steps) {
   return 2 * steps / std::sqrt(low * high);
 }
 
+double Pilot::effective_samples() const {
+  const double unit = b();
+  if (!(unit > 0)) return 0;
+  const double all = sum(found, [&](double paths, double l) { return paths * (l / unit); });
+  const double squares =
+      sum(found, [&](double paths, double l) { return paths * (l / unit) * (l / unit); });
+  return all * all / squares;
+}
+
 bool is_telling(const Pilot& pilot) {
-  const double all = sum(pilot.found, [](double paths, double l) { return paths * l; });
-  const double squares = sum(pilot.found, [](double paths, double l) { return paths * l * l; });
-  return squares > 0 && all * all / squares >= enough_effective_samples;
+  return pilot.effective_samples() >= enough_effective_samples;
 }
 
 Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins) {

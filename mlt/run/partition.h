@@ -23,8 +23,8 @@ namespace wander {
 struct Partition {
   double c = 0;
 
-  double of_samples(double l) const { return c / (l + c); }
-  double of_chains(double l) const { return l / (l + c); }
+  double of_samples(double l) const { return c > 0 ? c / (l + c) : 0; }
+  double of_chains(double l) const { return c > 0 ? l / (l + c) : 1; }
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -59,6 +59,8 @@ struct Pilot {
   std::vector<Border> borders{};
 
   double b() const;
+  // (Σ l)² / Σ l²: how many samples carry the estimate of b.
+  double effective_samples() const;
 };
 
 // The borders that are tried.
@@ -73,7 +75,7 @@ inline constexpr double rays_per_step = 5;
 //   V(ρ, c) = A + τ b² E_π[w_M²] + b² A / (bins (∫ f w_B)²),   A = b E_π[l w_B²] / ρ:
 // the samples' part, the chains', and that of b itself (pooled_film.h), which moves all bins.  E_π is
 // over the states of the chains, which know the fireflies that samples have not yet drawn; without
-// states b E_π[g] is what the samples say of it, E_B[Σ l g].  Were the steps n_M = n_B / (ρ τ)
+// states b E_π[g] is what the samples say of it, E_B[Σ l g]; for A, whichever is more.  Were the steps n_M = n_B / (ρ τ)
 // independent draws, the best border would be that of the balance heuristic, c = b n_B / n_M = b ρ τ.
 // But τ depends on c: chains that know easy light well may be slow to come to the hard.
 //

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "statistics/jackknife.h"
@@ -179,6 +180,76 @@ PooledFilm pooled_film(std::span<const GroupFindings> groups, std::span<const in
   film.degrees_of_freedom = jackknife_degrees(deviations);
   film.by_length = pool.by_length();
   return {std::move(film), pool.level() * pool.mean().of_samples / constant.b.value};
+}
+
+namespace {
+
+// E̅ and S̅ of a run, by its groups.
+struct RunMeans {
+  explicit RunMeans(std::span<const GroupFindings> groups) {
+    for (const GroupFindings& group : groups) {
+      const PooledParts& parts = group.parts.front();
+      samples.push_back(static_cast<double>(group.seeds->samples));
+      easy.push_back(parts.easy_light());
+      double part = 0, whole = 0;
+      for (std::size_t j = 0; j < group.film->bins(); ++j) {
+        part += parts.of_chains().weight(j);
+        whole += group.film->weight(j);
+      }
+      hard.push_back(group.scale * part);
+      mass.push_back(group.scale * whole);
+    }
+  }
+  // Of all groups, or of all but one.
+  Parts mean(std::size_t without = std::numeric_limits<std::size_t>::max()) const {
+    double n = 0, e = 0, h = 0, m = 0;
+    for (std::size_t g = 0; g < samples.size(); ++g) {
+      if (g == without) continue;
+      n += samples[g];
+      e += easy[g];
+      h += hard[g];
+      m += mass[g];
+    }
+    return {n > 0 ? e / n : 0, m > 0 ? h / m : 1};
+  }
+
+  std::vector<double> samples, easy, hard, mass;
+};
+
+}  // namespace
+
+Constant pooled_constant(std::span<const GroupFindings> groups,
+                         std::span<const int> groups_of_runs) {
+  double all = 0, light = 0, squares = 0;
+  for (const GroupFindings& group : groups) {
+    all += group.weight;
+    light += group.parts.front().easy_light();
+    squares += group.parts.front().easy_squares();
+  }
+  std::vector<RunMeans> runs;
+  std::vector<double> pulls;  // as above
+  Parts mean;
+  for (std::size_t first = 0; const int count : groups_of_runs) {
+    const auto of_run = groups.subspan(first, static_cast<std::size_t>(count));
+    const double share = of_run.front().weight / all, size = static_cast<double>(count);
+    mean.add(runs.emplace_back(of_run).mean(), share * size);
+    pulls.push_back(size > 1 ? (size - 1) * share / (1 - share) : 1);
+    first += of_run.size();
+  }
+  const auto constant = [](const Parts& parts) { return parts.of_samples / (1 - parts.of_chains); };
+  if (!(light > 0) || !(mean.of_chains < 1)) return {.failure = "samples carry no light"};
+  Constant result{.b = {constant(mean), 0}, .effective_samples = light * light / squares};
+  std::vector<double> deviations;
+  for (std::size_t p = 0; p < runs.size(); ++p)
+    for (std::size_t g = 0; g < runs[p].samples.size(); ++g) {
+      Parts rest = mean;
+      rest.add(runs[p].mean(g), pulls[p]).add(runs[p].mean(), -pulls[p]);
+      result.without.push_back(constant(rest));
+      deviations.push_back(std::pow(result.without.back() - result.b.value, 2));
+    }
+  result.b.standard_error = jackknife_error(result.without, weights_of(groups));
+  result.degrees_of_freedom = jackknife_degrees(deviations);
+  return result;
 }
 
 }  // namespace wander

@@ -5,9 +5,11 @@
 //   S_j = bins · Σ_g b_g D^M_gj / Σ_g b_g D_g,
 //
 // with D the deposits of its chains per step, D^M those that count w_M times, and b the normalization
-// constant.  E + b S has the mean b E_π[w_M] + ∫ f w_B, which is b if b is right; s makes it so:
-// its level then is what bridge sampling knows of it.  With c = b n_B / n_M both are the same
-// estimate of b, for b E_π[w_B] = ∫ f w_B is the equation that the bridge solves (bridge.h).
+// constant.  The border has one of its own: w_B + w_M = 1, so b E_π[w_B] = ∫ f w_B, and
+//   b = E̅ / (1 - S̅),
+// bridge sampling (bridge.h) with the balance b / c of both sides that the pilot chose.  With it the
+// mean of E + b S is b, and s is 1; of another constant s makes it so.  Where samples take all light b
+// is their mean, whatever chains say that have not mixed.
 //
 // Error.  Delete-a-group jackknife: a group takes its samples, its chains and its part in b along, so
 // what they have in common is counted.  Of several runs, each with a c of its own, the film is the mean
@@ -22,6 +24,10 @@
 #include "mlt/run/normalization.h"
 
 namespace wander {
+
+// The constant of the border.
+Constant pooled_constant(std::span<const GroupFindings> groups,
+                         std::span<const int> groups_of_runs);
 
 struct PooledFilm {
   FilmEstimate film;

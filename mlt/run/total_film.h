@@ -1,9 +1,10 @@
 // The sum of the deposits of all chains on the pixels of a large film: the film of the chains alone,
 // where the films that groups share (shared_films.h) hold what the chains bring to a pooled one.
 //
-// Numbers are whole multiples of 2^-24 of a deposit of the largest weight, in 64 bits, so that their
-// sum is the same in whatever order threads add.  Rounding is to the nearest, wrong by at most 2^-25 a
-// deposit; it is full after 2^39 deposits on a bin.
+// Numbers are whole multiples of 2^-24, in 64 bits, so that their sum is the same in whatever order
+// threads add.  Rounding is to the nearest, wrong by at most 2^-25 a deposit.  A bin is full at 2^39: a
+// deposit is of the order of one, and at most some hundreds (a tint of pure blue has 14; a step of MMLT
+// stands for 1/q_n).
 #pragma once
 
 #include <atomic>

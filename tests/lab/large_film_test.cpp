@@ -17,11 +17,11 @@ constexpr FilmLayout small{},
 
 // 64 groups make 4096 steps each.
 Rendering rendered(const char* method, const FilmLayout& film, NormalizationMethod b,
-                   int threads = 2) {
+                   int threads = 2, FilmParts parts = FilmParts::chains) {
   Session session;
   session.budget = SampleBudget{64 * 4096};
   session.threads = threads;
-  const Dials dials{.chains = {.normalization = b}, .film = film};
+  const Dials dials{.chains = {.film_parts = parts, .normalization = b}, .film = film};
   return render({diffuse_room(), find_method(method), dials}, session);
 }
 
@@ -53,6 +53,40 @@ TEST_P(LargeFilms, AreTheSmallOnesUpToTheRoundingOfFloat) {
       EXPECT_EQ(x.normalization->standard_error, y.normalization->standard_error);
     }
   }
+}
+
+// Pooled of samples and chains: the same, but that the two parts of a bin are taken for independent.
+TEST(PooledLargeFilms, AreTheSmallOnesUpToTheRoundingOfFloat) {
+  for (const char* method : {"mlt", "pssmlt", "mmlt"}) {
+    SCOPED_TRACE(method);
+    const auto made = [&](const FilmLayout& film) {
+      return rendered(method, film, NormalizationMethod::bridge, 2, FilmParts::pooled);
+    };
+    const Rendering x = made(large), y = made(small);
+    ASSERT_TRUE(x.pooling && y.pooling && x.chains_film && y.chains_film);
+    const double mean = mean_value(y.film);
+    EXPECT_NEAR(x.pooling->light_of_samples, y.pooling->light_of_samples, 1e-6);
+    EXPECT_NEAR(x.normalization->value, mean, 1e-9 * mean);
+    for (std::size_t j = 0; j < y.film.value.size(); ++j) {
+      EXPECT_NEAR(x.film.value[j], y.film.value[j], 2e-6 * mean) << j;
+      EXPECT_NEAR(x.chains_film->value[j], y.chains_film->value[j], 1e-3 * mean) << j;
+    }
+    for (const auto& [vertices, film] : y.film.by_length)
+      for (std::size_t j = 0; j < film.size(); ++j)
+        EXPECT_NEAR(x.film.by_length.at(vertices)[j], film[j], 2e-6 * mean) << j;
+    const double errors = norm(x.film.standard_error) / norm(y.film.standard_error);
+    EXPECT_GT(errors, 0.7);
+    EXPECT_LT(errors, 1.5);
+  }
+}
+TEST(PooledLargeFilms, DoNotDependOnTheThreads) {
+  const auto made = [](int threads) {
+    return rendered("mlt", large, NormalizationMethod::bridge, threads, FilmParts::pooled);
+  };
+  const Rendering one = made(1), three = made(3);
+  EXPECT_EQ(one.film.value, three.film.value);
+  EXPECT_EQ(one.film.standard_error, three.film.standard_error);
+  EXPECT_EQ(one.chains_film->value, three.chains_film->value);
 }
 
 TEST_P(LargeFilms, DoNotDependOnTheThreads) {

@@ -21,6 +21,7 @@ struct Case {
   const char* method;
   StepEstimator estimator = StepEstimator::usual;
   FilmLayout film{};
+  FilmParts parts = FilmParts::chains;
 };
 // As films of more than 2^14 bins are kept, with all that they may have.
 constexpr FilmLayout large{.most_small = 4, .by_length = Keep::always, .maps = Keep::always};
@@ -28,6 +29,7 @@ std::string name_of_case(const Case& c) {
   std::string name = c.method;
   std::ranges::replace(name, '-', '_');
   if (c.film == large) name += "_large";
+  if (c.parts == FilmParts::pooled) name += "_pooled";
   return name + (c.estimator == StepEstimator::usual     ? ""
                  : c.estimator == StepEstimator::kelemen ? "_kelemen"
                                                          : "_expected");
@@ -44,7 +46,9 @@ Session session_of(int threads) {
 template <World W>
 struct Made {
   Made(const Case& c, int threads)
-      : dials{.estimator = c.estimator, .chains = {.fewest_seeds = 4096}, .film = c.film},
+      : dials{.estimator = c.estimator,
+              .chains = {.film_parts = c.parts, .fewest_seeds = 4096},
+              .film = c.film},
         session(session_of(threads)),
         job(mirror_and_glass(), find_method(c.method), dials),
         run(methods.make()) {}
@@ -108,16 +112,20 @@ void expect_round_trips(const Case& c) {
 }
 
 class RunState : public ::testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(Methods, RunState,
-                         ::testing::Values(Case{"pt"}, Case{"lt"}, Case{"bdpt"}, Case{"pt-naive"},
-                                           Case{"lt-naive"}, Case{"mlt"}, Case{"pssmlt"},
-                                           Case{"pssmlt", StepEstimator::expected}, Case{"mmlt"},
-                                           Case{"mmlt", StepEstimator::kelemen},
-                                           Case{"bdpt", StepEstimator::usual, large},
-                                           Case{"mlt", StepEstimator::usual, large},
-                                           Case{"pssmlt", StepEstimator::usual, large},
-                                           Case{"mmlt", StepEstimator::usual, large}),
-                         [](const auto& info) { return name_of_case(info.param); });
+INSTANTIATE_TEST_SUITE_P(
+    Methods, RunState,
+    ::testing::Values(Case{"pt"}, Case{"lt"}, Case{"bdpt"}, Case{"pt-naive"}, Case{"lt-naive"},
+                      Case{"mlt"}, Case{"pssmlt"}, Case{"pssmlt", StepEstimator::expected},
+                      Case{"mmlt"}, Case{"mmlt", StepEstimator::kelemen},
+                      Case{"bdpt", StepEstimator::usual, large},
+                      Case{"mlt", StepEstimator::usual, large},
+                      Case{"pssmlt", StepEstimator::usual, large},
+                      Case{"mmlt", StepEstimator::usual, large},
+                      Case{"mlt", StepEstimator::usual, {}, FilmParts::pooled},
+                      Case{"mmlt", StepEstimator::usual, {}, FilmParts::pooled},
+                      Case{"pssmlt", StepEstimator::usual, large, FilmParts::pooled},
+                      Case{"mlt", StepEstimator::usual, large, FilmParts::pooled}),
+    [](const auto& info) { return name_of_case(info.param); });
 
 TEST_P(RunState, GoesOnWithTheSameBits) { expect_round_trips<Flatland>(GetParam()); }
 TEST_P(RunState, GoesOnWithTheSameBitsInFloat) { expect_round_trips<FlatlandSingle>(GetParam()); }

@@ -56,7 +56,7 @@ TEST(Pooling, TakesTheLeastWork) {
   for (const Pilot& pilot :
        {pilot_of({{1, 9000}, {2, 500}}), pilot_of({{1, 5000}, {400, 20}, {1e4, 1}}),
         pilot_of({{0.1, 3000}, {30, 100}})}) {
-    if (!is_telling(pilot)) continue;
+    ASSERT_TRUE(is_telling(pilot));
     const Pooling best = best_pooling(pilot, bins);
     const double least = work(pilot, best) * (1 + 1e-9);
     for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2)

@@ -72,6 +72,36 @@ TEST(PooledFilm, IsTheSumOfItsPartsAtTheLevelOfB) {
   EXPECT_DOUBLE_EQ(film.by_length.at(3)[1], film.value[1]);
 }
 
+// With the constant of the border the film is the sum of its parts, whatever other constants say; and
+// its error is that of the same from all groups but one.
+TEST(PooledConstant, IsTheBridgeAtTheBorder) {
+  const double made[][5]{{1, 2, 3, 1.5, 0.5}, {3, 1, 2, 1, 1}, {2, 2, 1, 0.5, 2}};
+  Groups all;
+  for (const auto& g : made) all.add(g[0], g[1], g[2], g[3], g[4]);
+  const std::vector<int> one_run{3};
+  const Constant b = pooled_constant(all.findings(), one_run);
+  const double easy = 11. / 30, hard = 6.5 / 12;
+  EXPECT_NEAR(b.b.value, easy / (1 - hard), 1e-14);
+  std::vector<double> without;
+  for (std::size_t out = 0; out < 3; ++out) {
+    Groups rest;
+    for (std::size_t g = 0; g < 3; ++g)
+      if (g != out) rest.add(made[g][0], made[g][1], made[g][2], made[g][3], made[g][4]);
+    without.push_back(pooled_constant(rest.findings(), std::vector{2}).b.value);
+    EXPECT_NEAR(b.without[out], without.back(), 1e-14);
+  }
+  EXPECT_NEAR(b.b.standard_error, jackknife_error(without), 1e-14);
+  const FilmEstimate film = pooled(all, b, one_run).film;
+  EXPECT_NEAR(film.value[0], 2 * (6. / 30 + b.b.value * 3. / 12), 1e-14);
+  EXPECT_NEAR(film.value[1], 2 * (5. / 30 + b.b.value * 3.5 / 12), 1e-14);
+}
+
+TEST(PooledConstant, IsNoneWhereSamplesCarryNoLight) {
+  Groups dark;
+  for (int g = 0; g < 3; ++g) dark.add(0, 0, 3, 3, 1);
+  EXPECT_FALSE(pooled_constant(dark.findings(), std::vector{3}).failure.empty());
+}
+
 // Of one run the jackknife is to make the film again from all groups but one.
 TEST(PooledFilm, HasTheErrorOfAGroupThatTakesItsSamplesAndItsChainsAlong) {
   const double made[][5]{{1, 2, 3, 1.5, 0.5}, {3, 1, 2, 1, 1}, {2, 2, 1, 0.5, 2}, {0, 3, 4, 3, 0}};

@@ -79,7 +79,8 @@ class Trial {
     const GroupFindings found = group.findings();
     const double scale = found.scale * factor(group);
     const auto count = static_cast<double>(bins.size());
-    const GroupFilm& hard = flaw_ == Flaw::sides_overlap ? *found.film : found.parts.front().of_chains();
+    const GroupFilm& hard =
+        flaw_ == Flaw::sides_overlap ? *found.film : found.parts.front().of_chains();
     for (std::size_t j = 0; j < bins.size(); ++j)
       bins[j].add(count * (found.parts.front().of_samples().weight(j) / (samples + beside) +
                            scale * hard.weight(j)));

@@ -1,0 +1,76 @@
+// Makes the pilot of a run (mlt/run/pilot.h): no more of it than the budget has to spare.
+#pragma once
+
+#include <algorithm>
+#include <variant>
+#include <vector>
+
+#include "mlt/run/pilot.h"
+#include "work/parallel.h"
+
+namespace wander {
+
+// Few chains, so that they are long.
+inline constexpr int chains_of_pilot = 16;
+
+class PilotBudget {
+ public:
+  explicit PilotBudget(const Run& run) : run_(run), begin_(run.spent()) {}
+
+  // A part of a budget of time may be spent so far; and nothing when the run is interrupted.
+  bool is_over(double share) const {
+    const auto* time = std::get_if<TimeBudget>(&run_.session().budget);
+    return run_.is_interrupted() || (time && run_.spent() - begin_ > share * time->seconds);
+  }
+  // Of all chains together.
+  std::uint64_t steps() const {
+    constexpr double share = 1. / 32, steps_per_second = 1e6, fewest = 1 << 12, most = 1 << 18;
+    double steps = most;
+    if (const auto* budget = std::get_if<SampleBudget>(&run_.session().budget))
+      steps = share * static_cast<double>(budget->samples);
+    else if (const auto* budget = std::get_if<TimeBudget>(&run_.session().budget))
+      steps = share * steps_per_second * budget->seconds;
+    return static_cast<std::uint64_t>(std::clamp(steps, fewest, most));
+  }
+
+ private:
+  const Run& run_;
+  double begin_;
+};
+
+template <class Groups>
+Pilot found_by(const Groups& groups, std::uint64_t steps) {
+  std::vector<GroupFindings> found;
+  double rays = 0;
+  for (const auto& group : groups) {
+    found.push_back(group->findings());
+    rays += static_cast<double>(group->rays());
+  }
+  return pilot_of(found, rays, steps);
+}
+
+// `trial`: ChainGroups with one chain each, of which nothing has been made.  Samples until they tell
+// enough, then steps.
+template <class Groups>
+Pilot make_pilot(Groups& trial, const Run& run) {
+  constexpr std::uint64_t samples_per_round = 1 << 11, enough = 1 << 13, most = 1 << 15,
+                          steps_per_round = 1 << 11;
+  constexpr double share_of_samples = 0.025, share_of_all = 0.05;  // of a budget of time
+  const PilotBudget budget(run);
+  Pilot pilot;
+  for (std::uint64_t made = 0; made < most && !budget.is_over(share_of_samples);) {
+    trial.add_seeds(samples_per_round / trial.count());
+    made += samples_per_round;
+    pilot = found_by(trial, 0);
+    if (made >= enough && is_telling(pilot)) break;
+  }
+  if (!is_telling(pilot)) return pilot;
+  for (const double c : borders_around(pilot.b())) trial.pool({.partition = {c}});
+  trial.start(1);
+  const std::uint64_t steps = budget.steps();
+  while (trial.steps() < steps && !budget.is_over(share_of_all))
+    trial.advance_to(std::min(steps, trial.steps() + steps_per_round));
+  return found_by(trial, trial.steps() / trial.active());
+}
+
+}  // namespace wander
