@@ -144,6 +144,7 @@ class ChainRun final : public LiveRun {
     settings.groups = std::min(settings.groups, chains_of_pilot);
     settings.chains_per_group = 1;
     settings.film_parts = FilmParts::raster;
+    settings.film = {.most_small = 1 << 10};  // τ asks for no more, and it has a film for each border
     const auto trial = make_(settings, seed_of_pilot(run_.session().seed));
     return make_pilot(*trial, run_);
   }

@@ -48,7 +48,7 @@ struct WithoutWindow {
 template <class Mutation>
 InvarianceReport report_of(description::Scene (*room)(), const Mutation& mutation) {
   const FlatScene scene = build(room());
-  return test_invariance(Flat(*scene, Roulette::off), alone(mutation), {.samples = 40'000});
+  return test_invariance(Flat(*scene, Roulette::off), alone(mutation), {.samples = 100'000});
 }
 
 TEST(OwnMutation, LeavesTheTargetInvariant) {

@@ -31,6 +31,7 @@ const std::map<std::string, std::string> not_run{
     {"tools/accuracy", "takes half an hour"},
     {"tools/normalization", "takes half an hour"},
     {"build/release/bin/wander_bench", "is not part of every build"},
+    {"build/release/bin/wander_yardstick", "is not part of every build"},
     {"cmake", "takes minutes"},
     {"export", "is for the shell of the reader"},
     {"mkdir", "goes with the next"},

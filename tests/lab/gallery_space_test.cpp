@@ -113,7 +113,7 @@ TEST(GalleryOfSpace, IsOpenedAgainWithItsMeshes) {
 // Of 4096 pixels hardly one is reliable after these samples, of 256 nearly all are.
 TEST(GalleryOfSpace, HasFilmsThatAreCheckedInLargePixels) {
   Session session;
-  session.budget = SampleBudget{100'000};
+  session.budget = SampleBudget{400'000};
   session.threads = 2;
   const Job job(open_scene("gallery:furnace-sphere").scene, find_method("mlt"));
   for (const MethodCheck& check : check_methods(job, session, 1e-9, [] {})) {

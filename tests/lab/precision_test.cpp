@@ -124,7 +124,7 @@ struct Room {
   double of_float, of_double;  // bounds of the differences from extended precision
   int samples = 400, fewest_vertices = 2;
 };
-const Room rooms[] = {{"Diffuse", diffuse_room, 1e-6, 1e-14},
+const Room rooms[] = {{"Diffuse", diffuse_room, 1e-6, 2e-14},
                       {"Gap", room_with_gap, 1e-6, 1e-14},
                       {"MirrorAndGlass", mirror_and_glass, 2e-6, 2e-14},
                       {"Rough", rough_room, 3e-6, 5e-12},

