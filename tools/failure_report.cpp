@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lab/failure.h"
+#include "mlt/seeds/nothing_found.h"
 #include "records/atomic_file.h"
 #include "records/run_record.h"
 #include "scenes/format/scene_file.h"
@@ -30,6 +31,7 @@ ExitCode exit_code_of(const std::exception& problem) {
   if (dynamic_cast<const SceneFileError*>(&problem) != nullptr) return ExitCode::invalid_input;
   if (dynamic_cast<const ImportError*>(&problem) != nullptr) return ExitCode::invalid_input;
   if (dynamic_cast<const RunFileError*>(&problem) != nullptr) return ExitCode::invalid_input;
+  if (dynamic_cast<const NothingComputed*>(&problem) != nullptr) return ExitCode::interrupted;
   return ExitCode::failure;
 }
 
