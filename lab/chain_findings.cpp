@@ -129,13 +129,14 @@ void ChainFindings::normalize(Rendering& r) const {
   const std::vector<GroupFindings> groups = weighed_groups();
   Constants b = constants(groups);
   NormalizationMethod method = b.usable(wanted);
-  if (is_pooled()) {
+  const bool has_parts = is_pooled() && r.samples > 0;
+  if (has_parts) {
     b.pooled = pooled_constant(groups, groups_of_runs());
     if (wanted == NormalizationMethod::bridge && b.pooled.failure.empty())
       method = NormalizationMethod::pooled;
   }
   r.normalization = normalization(groups, b, method);
-  if (is_pooled() && r.samples > 0) {
+  if (has_parts) {
     PooledFilm pooled = pooled_film(b[method], groups);
     r.film = std::move(pooled.film);
     r.pooling = {groups.front().parts.front().pooling(), tally_of(groups).samples,

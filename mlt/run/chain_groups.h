@@ -63,6 +63,8 @@ class ChainGroups {
   // After the seed pass; so many chains of each group.
   void start(int chains) {
     is_started_ = true;
+    // All before any starts, for each reads what the others found.
+    for (const auto& group : groups_) group->end_seeds();
     on_all_threads([&](std::size_t g) {
       SeedTally others(max_vertices_);
       for (std::size_t h = 0; h < groups_.size(); ++h)

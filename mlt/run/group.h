@@ -67,6 +67,7 @@ class ChainGroup {
   }
   const SeedTally& tally() const { return source_.tally(); }
   const SeedTally& seed_tally() const { return source_.seed_tally(); }
+  void end_seeds() { source_.end_seeds(); }
   void keep_chains(int most) { source_.keep_chains(most); }
   bool takes_steps() const { return source_.takes_steps(); }
   int chains() const { return source_.chains(); }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mlt/run/run_shares.h"
 #include "statistics/jackknife.h"
 
 namespace wander {
@@ -124,9 +125,8 @@ class Pool {
     }
     double samples = 0, chains = 0;
     for (const RunLight& run : runs_) {
-      const double share = run.weight() / all, films = static_cast<double>(run.films());
-      shares_.push_back(share);
-      pulls_.push_back(films > 1 ? (films - 1) * (share / films) / (1 - share / films) : 1);
+      shares_.push_back(share_of_run(static_cast<double>(run.films()), run.light().weight, all));
+      const double share = shares_.back().share;
       samples += share * run.mean_of_samples();
       chains += share * run.mean_of_chains();
     }
@@ -136,7 +136,7 @@ class Pool {
       for (std::size_t f = 0; f < runs_[p].films(); ++f) {
         const double b = without_[levels_.size()];
         const double moved = runs_[p].mean_of_chains_without(f) - runs_[p].mean_of_chains();
-        levels_.push_back(b / (samples + b * (chains + pulls_[p] * moved)));
+        levels_.push_back(b / (samples + b * (chains + shares_[p].pull * moved)));
       }
   }
 
@@ -159,16 +159,17 @@ class Pool {
     of_chains_.clear();
     for (std::size_t p = 0; p < runs_.size(); ++p) {
       const OfBin found = runs_[p].of_samples(bin);
-      samples += shares_[p] * found.value;
-      variance += shares_[p] * shares_[p] * found.variance;
-      chains += shares_[p] * of_chains_.emplace_back(runs_[p].of_chains(bin));
+      samples += shares_[p].share * found.value;
+      variance += shares_[p].share * shares_[p].share * found.variance;
+      chains += shares_[p].share * of_chains_.emplace_back(runs_[p].of_chains(bin));
     }
     without.clear();
     for (std::size_t p = 0; p < runs_.size(); ++p)
       for (std::size_t f = 0; f < runs_[p].films(); ++f) {
         const std::size_t k = without.size();
         const double moved = runs_[p].of_chains_without(of_chains_[p], f, bin) - of_chains_[p];
-        without.push_back(levels_[k] * (samples + without_[k] * (chains + pulls_[p] * moved)));
+        without.push_back(levels_[k] *
+                          (samples + without_[k] * (chains + shares_[p].pull * moved)));
       }
     return {level_ * (samples + b_ * chains), level_ * level_ * variance};
   }
@@ -177,7 +178,7 @@ class Pool {
     std::map<int, std::vector<double>> films;
     const double pixels = static_cast<double>(bins()) / channels_of(shape);
     for (std::size_t p = 0; p < runs_.size(); ++p) {
-      const double factor = level_ * shares_[p];
+      const double factor = level_ * shares_[p].share;
       add_lengths(films, runs_[p].light(), shape, factor,
                   factor * b_ * pixels * runs_[p].scale_of_mean());
     }
@@ -188,7 +189,7 @@ class Pool {
   double b_;
   std::vector<double> without_;  // b without each film
   std::vector<RunLight> runs_;
-  std::vector<double> shares_, pulls_;    // by run (pooled_film.cpp)
+  std::vector<RunShare> shares_;          // by run
   std::vector<double> weights_, levels_;  // by film
   double level_ = 1, of_samples_ = 0;
   mutable std::vector<double> of_chains_;  // of one bin, by run

@@ -80,7 +80,6 @@ class MmltChains : public SeededChains<Space, LengthSeeds> {
   int chains() const { return space_.max_vertices() - 1; }
   void keep_chains(int) {}  // it has one for each length
   void start_chains(const SeedTally& others) {
-    this->end_seeds();
     shares_ = shares_of_steps(others);
     for (int n = 2; n <= space_.max_vertices(); ++n)
       lengths_.push_back({{this->seed_tally().mean(n), others.mean(n), kernel_.large_step},

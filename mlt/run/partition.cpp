@@ -21,6 +21,7 @@ double sum(const RatioHistogram& ratios, F&& f) {
   }
   return total;
 }
+
 // V / b², of which each part is made of l / b.
 class Variance {
  public:

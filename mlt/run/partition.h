@@ -75,9 +75,10 @@ inline constexpr double rays_per_step = 5;
 //   V(ρ, c) = A + τ b² E_π[w_M²] + b² A / (bins (∫ f w_B)²),   A = b E_π[l w_B²] / ρ:
 // the samples' part, the chains', and that of b itself (pooled_film.h), which moves all bins.  E_π is
 // over the states of the chains, which know the fireflies that samples have not yet drawn; without
-// states b E_π[g] is what the samples say of it, E_B[Σ l g]; for A, whichever is more.  Were the steps n_M = n_B / (ρ τ)
-// independent draws, the best border would be that of the balance heuristic, c = b n_B / n_M = b ρ τ.
-// But τ depends on c: chains that know easy light well may be slow to come to the hard.
+// states b E_π[g] is what the samples say of it, E_B[Σ l g]; for A, whichever is more.  Were the
+// steps n_M = n_B / (ρ τ) independent draws, the best border would be that of the balance heuristic,
+// c = b n_B / n_M = b ρ τ.  But τ depends on c: chains that know easy light well may be slow to come
+// to the hard.
 //
 // The ρ and c that have the least V (1 + ρ κ), with κ the cost of a sample in steps; ρ of the powers of
 // two between these, but no more than with which samples take most_cost times as long as steps.

@@ -27,10 +27,7 @@ class PathChains : public SeededChains<Space, PathSeeds> {
   bool takes_steps() const { return slice_.found_light(); }
   int chains() const { return chain_count_; }
   void keep_chains(int most) { chain_count_ = std::min(chain_count_, most); }
-  void start_chains(const SeedTally& others) {
-    this->end_seeds();
-    kernel_.learn(others);
-  }
+  void start_chains(const SeedTally& others) { kernel_.learn(others); }
 
   static std::size_t stratum(int) { return 0; }
   bool has_seed(int) const { return slice_.found_light(); }

@@ -28,16 +28,19 @@ double steps_per_draw(std::span<const GroupFindings> groups, std::size_t border,
   }
   if (count < 2) return usual_steps_per_draw;
   const Partition& side = groups.front().parts[border].partition();
-  double spread = 0, of_draw = 0;
+  double spread = 0, second_moment = 0;
   for (int i = states.first(); i < states.end(); ++i)
     if (const auto [number, sum] = states[i]; number > 0)
-      of_draw += number * std::pow(side.of_chains(sum / number), 2) / states.count();
+      second_moment += number * std::pow(side.of_chains(sum / number), 2) / states.count();
+  double of_draw = second_moment;
   for (std::size_t j = 0; j < sums.size(); ++j) {
     const double mean = sums[j] / count;
     spread += (squares[j] - count * mean * mean) / (count - 1);
     of_draw -= mean * mean;
   }
-  return steps_per_draw(of_draw > 0 ? spread / of_draw : 0, static_cast<double>(steps));
+  // Where all paths have one weight and one bin nothing differs but by rounding.
+  const bool differs = of_draw > 1e-9 * second_moment;
+  return steps_per_draw(differs ? spread / of_draw : 0, static_cast<double>(steps));
 }
 
 Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t steps) {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "mlt/run/run_shares.h"
 #include "statistics/jackknife.h"
 
 namespace wander {
@@ -24,36 +24,74 @@ struct Parts {
   }
 };
 
-// Sums over the groups of one run.
-class RunSums {
+// E̅ and S̅ of one run.
+class RunMeans {
  public:
-  explicit RunSums(std::span<const GroupFindings> groups)
-      : groups_(groups), bins_(static_cast<double>(groups.front().film->bins())) {
-    sums_.resize(groups.front().film->bins());
+  explicit RunMeans(std::span<const GroupFindings> groups) {
     for (const GroupFindings& group : groups) {
-      samples_ += samples_of(group);
-      double mass = 0;
-      for (std::size_t j = 0; j < sums_.size(); ++j) mass += group.scale * group.film->weight(j);
-      masses_.push_back(mass);
-      mass_ += mass;
-      Parts& whole = wholes_.emplace_back();
-      for (std::size_t j = 0; j < sums_.size(); ++j) {
-        const Parts of_bin = deposits(group, j);
-        sums_[j] += of_bin;
-        whole += of_bin;
+      const PooledParts& parts = group.parts.front();
+      double part = 0, whole = 0;
+      for (std::size_t j = 0; j < group.film->bins(); ++j) {
+        part += parts.of_chains().weight(j);
+        whole += group.film->weight(j);
       }
-      all_ += whole;
+      groups_.push_back({.samples = static_cast<double>(group.seeds->samples),
+                         .mass = group.scale * whole,
+                         .deposits = {parts.easy_light(), group.scale * part}});
+      all_ += groups_.back();
     }
   }
 
   std::size_t groups() const { return groups_.size(); }
-  Parts at(std::size_t bin) const { return scaled(sums_[bin], samples_, mass_, bins_); }
-  Parts mean() const { return scaled(all_, samples_, mass_, 1); }
+  Parts mean() const { return scaled(all_.deposits); }
+  Parts mean_without(std::size_t g) const { return without(g, all_.deposits, groups_[g].deposits); }
+  // Of a part of all deposits; and without those of a group, of which it has these.
+  Parts scaled(const Parts& deposits) const { return all_.means(deposits); }
+  Parts without(std::size_t g, Parts deposits, const Parts& of_group) const {
+    Totals rest = all_;
+    rest.add(groups_[g], -1);
+    deposits.add(of_group, -1);
+    return rest.mass > 1e-12 * all_.mass ? rest.means(deposits) : Parts{not_known, not_known};
+  }
+  double samples() const { return all_.samples; }
+  double mass() const { return all_.mass; }
+
+ private:
+  struct Totals {
+    double samples = 0, mass = 0;  // of the chains: all deposits
+    Parts deposits{};
+
+    Totals& operator+=(const Totals& other) { return add(other, 1); }
+    Totals& add(const Totals& other, double weight) {
+      samples += weight * other.samples;
+      mass += weight * other.mass;
+      deposits.add(other.deposits, weight);
+      return *this;
+    }
+    Parts means(const Parts& of) const {
+      return {samples > 0 ? of.of_samples / samples : 0, mass > 0 ? of.of_chains / mass : 0};
+    }
+  };
+
+  std::vector<Totals> groups_;
+  Totals all_;
+};
+
+// The same by bins.
+class RunSums {
+ public:
+  explicit RunSums(std::span<const GroupFindings> groups)
+      : groups_(groups), means_(groups), sums_(groups.front().film->bins()) {
+    for (const GroupFindings& group : groups)
+      for (std::size_t j = 0; j < sums_.size(); ++j) sums_[j] += deposits(group, j);
+  }
+
+  const RunMeans& means() const { return means_; }
+  Parts at(std::size_t bin) const { return of_bin(means_.scaled(sums_[bin])); }
   // Without group g.
   Parts at(std::size_t bin, std::size_t g) const {
-    return without(sums_[bin], deposits(groups_[g], bin), g, bins_);
+    return of_bin(means_.without(g, sums_[bin], deposits(groups_[g], bin)));
   }
-  Parts mean_without(std::size_t g) const { return without(all_, wholes_[g], g, 1); }
   // Of paths of each length: `samples`, `chains` are what E and S are multiplied by.
   void add_lengths(std::map<int, std::vector<double>>& films, double samples, double chains) const {
     const auto add = [&films](const GroupFilm& film, double factor) {
@@ -63,61 +101,58 @@ class RunSums {
         for (std::size_t j = 0; j < values.size(); ++j) sum[j] += values[j];
       }
     };
+    const auto bins = static_cast<double>(sums_.size());
     for (const GroupFindings& group : groups_) {
-      add(group.parts.front().of_samples(), samples * bins_ / samples_);
-      if (mass_ > 0) add(group.parts.front().of_chains(), chains * bins_ * group.scale / mass_);
+      add(group.parts.front().of_samples(), samples * bins / means_.samples());
+      if (means_.mass() > 0)
+        add(group.parts.front().of_chains(), chains * bins * group.scale / means_.mass());
     }
   }
 
  private:
-  static double samples_of(const GroupFindings& group) {
-    return static_cast<double>(group.seeds->samples);
-  }
   static Parts deposits(const GroupFindings& group, std::size_t bin) {
     return {group.parts.front().of_samples().weight(bin),
             group.scale * group.parts.front().of_chains().weight(bin)};
   }
-  static Parts scaled(const Parts& sums, double samples, double mass, double bins) {
-    return {bins * sums.of_samples / samples, mass > 0 ? bins * sums.of_chains / mass : 0};
-  }
-  Parts without(Parts sums, const Parts& of_group, std::size_t g, double bins) const {
-    const double rest = mass_ - masses_[g];
-    sums.add(of_group, -1);
-    if (!(rest > 1e-12 * mass_)) return {not_known, not_known};
-    return scaled(sums, samples_ - samples_of(groups_[g]), rest, bins);
+  // A bin is as many times its share of the film as there are bins.
+  Parts of_bin(const Parts& share) const {
+    return Parts{}.add(share, static_cast<double>(sums_.size()));
   }
 
   std::span<const GroupFindings> groups_;
-  double bins_, samples_ = 0, mass_ = 0;
-  std::vector<double> masses_;        // by group: all its deposits
-  std::vector<Parts> sums_, wholes_;  // by bin; by group
-  Parts all_;
+  RunMeans means_;
+  std::vector<Parts> sums_;  // by bin
 };
+
+// The shares of runs of so many groups.
+std::vector<RunShare> shares_of(std::span<const GroupFindings> groups,
+                                std::span<const int> groups_of_runs) {
+  double all = 0;
+  for (const GroupFindings& group : groups) all += group.weight;
+  std::vector<RunShare> shares;
+  for (std::size_t first = 0; const int count : groups_of_runs) {
+    shares.push_back(share_of_run(count, groups[first].weight, all));
+    first += static_cast<std::size_t>(count);
+  }
+  return shares;
+}
 
 // All runs, and what becomes of them without one group.
 class Pool {
  public:
   Pool(std::span<const GroupFindings> groups, std::span<const int> groups_of_runs,
        const Constant& constant)
-      : constant_(constant) {
-    double all = 0;
-    for (const GroupFindings& group : groups) all += group.weight;
+      : constant_(constant), shares_(shares_of(groups, groups_of_runs)) {
     for (std::size_t first = 0; const int count : groups_of_runs) {
-      const auto of_run = groups.subspan(first, static_cast<std::size_t>(count));
-      runs_.emplace_back(of_run);
-      const double share = of_run.front().weight / all, size = static_cast<double>(count);
-      shares_.push_back(size * share);
-      // Without a group the mean of its run moves 1 / (size - 1) of how far the group is from it; that
-      // of all groups, share / (1 - share).
-      pulls_.push_back(size > 1 ? (size - 1) * share / (1 - share) : 1);
-      first += of_run.size();
+      runs_.emplace_back(groups.subspan(first, static_cast<std::size_t>(count)));
+      first += static_cast<std::size_t>(count);
     }
     level_ = constant.b.value / mean().light(constant.b.value);
     for (std::size_t p = 0; p < runs_.size(); ++p)
-      for (std::size_t g = 0; g < runs_[p].groups(); ++g) {
-        const double b = constant.without[levels_.size()];
+      for (std::size_t g = 0; g < runs_[p].means().groups(); ++g) {
+        const double b = constant.without[levels_.size()], pull = shares_[p].pull;
         Parts rest = mean();
-        rest.add(runs_[p].mean_without(g), pulls_[p]).add(runs_[p].mean(), -pulls_[p]);
+        rest.add(runs_[p].means().mean_without(g), pull).add(runs_[p].means().mean(), -pull);
         levels_.push_back(b / rest.light(b));
       }
   }
@@ -125,20 +160,21 @@ class Pool {
   double level() const { return level_; }
   Parts mean() const {
     Parts sum;
-    for (std::size_t p = 0; p < runs_.size(); ++p) sum.add(runs_[p].mean(), shares_[p]);
+    for (std::size_t p = 0; p < runs_.size(); ++p)
+      sum.add(runs_[p].means().mean(), shares_[p].share);
     return sum;
   }
   // I_j; and the same without each group.
   double value(std::size_t bin, std::vector<double>& without) const {
     Parts all;
-    for (std::size_t p = 0; p < runs_.size(); ++p) all.add(runs_[p].at(bin), shares_[p]);
+    for (std::size_t p = 0; p < runs_.size(); ++p) all.add(runs_[p].at(bin), shares_[p].share);
     without.clear();
     for (std::size_t p = 0; p < runs_.size(); ++p) {
       const Parts of_run = runs_[p].at(bin);
-      for (std::size_t g = 0; g < runs_[p].groups(); ++g) {
+      for (std::size_t g = 0; g < runs_[p].means().groups(); ++g) {
         const std::size_t k = without.size();
         Parts rest = all;
-        rest.add(runs_[p].at(bin, g), pulls_[p]).add(of_run, -pulls_[p]);
+        rest.add(runs_[p].at(bin, g), shares_[p].pull).add(of_run, -shares_[p].pull);
         without.push_back(levels_[k] * rest.light(constant_.without[k]));
       }
     }
@@ -147,16 +183,17 @@ class Pool {
   std::map<int, std::vector<double>> by_length() const {
     std::map<int, std::vector<double>> films;
     for (std::size_t p = 0; p < runs_.size(); ++p)
-      runs_[p].add_lengths(films, level_ * shares_[p], level_ * shares_[p] * constant_.b.value);
+      runs_[p].add_lengths(films, level_ * shares_[p].share,
+                           level_ * shares_[p].share * constant_.b.value);
     return films;
   }
 
  private:
   const Constant& constant_;
   std::vector<RunSums> runs_;
-  std::vector<double> shares_, pulls_;  // by run
-  double level_ = 1;                    // s
-  std::vector<double> levels_;          // without each group
+  std::vector<RunShare> shares_;  // by run
+  double level_ = 1;              // s
+  std::vector<double> levels_;    // without each group
 };
 
 }  // namespace
@@ -182,68 +219,29 @@ PooledFilm pooled_film(std::span<const GroupFindings> groups, std::span<const in
   return {std::move(film), pool.level() * pool.mean().of_samples / constant.b.value};
 }
 
-namespace {
-
-// E̅ and S̅ of a run, by its groups.
-struct RunMeans {
-  explicit RunMeans(std::span<const GroupFindings> groups) {
-    for (const GroupFindings& group : groups) {
-      const PooledParts& parts = group.parts.front();
-      samples.push_back(static_cast<double>(group.seeds->samples));
-      easy.push_back(parts.easy_light());
-      double part = 0, whole = 0;
-      for (std::size_t j = 0; j < group.film->bins(); ++j) {
-        part += parts.of_chains().weight(j);
-        whole += group.film->weight(j);
-      }
-      hard.push_back(group.scale * part);
-      mass.push_back(group.scale * whole);
-    }
-  }
-  // Of all groups, or of all but one.
-  Parts mean(std::size_t without = std::numeric_limits<std::size_t>::max()) const {
-    double n = 0, e = 0, h = 0, m = 0;
-    for (std::size_t g = 0; g < samples.size(); ++g) {
-      if (g == without) continue;
-      n += samples[g];
-      e += easy[g];
-      h += hard[g];
-      m += mass[g];
-    }
-    return {n > 0 ? e / n : 0, m > 0 ? h / m : 1};
-  }
-
-  std::vector<double> samples, easy, hard, mass;
-};
-
-}  // namespace
-
 Constant pooled_constant(std::span<const GroupFindings> groups,
                          std::span<const int> groups_of_runs) {
-  double all = 0, light = 0, squares = 0;
+  double light = 0, squares = 0;
   for (const GroupFindings& group : groups) {
-    all += group.weight;
     light += group.parts.front().easy_light();
     squares += group.parts.front().easy_squares();
   }
+  const std::vector<RunShare> shares = shares_of(groups, groups_of_runs);
   std::vector<RunMeans> runs;
-  std::vector<double> pulls;  // as above
   Parts mean;
   for (std::size_t first = 0; const int count : groups_of_runs) {
-    const auto of_run = groups.subspan(first, static_cast<std::size_t>(count));
-    const double share = of_run.front().weight / all, size = static_cast<double>(count);
-    mean.add(runs.emplace_back(of_run).mean(), share * size);
-    pulls.push_back(size > 1 ? (size - 1) * share / (1 - share) : 1);
-    first += of_run.size();
+    runs.emplace_back(groups.subspan(first, static_cast<std::size_t>(count)));
+    mean.add(runs.back().mean(), shares[runs.size() - 1].share);
+    first += static_cast<std::size_t>(count);
   }
   const auto constant = [](const Parts& parts) { return parts.of_samples / (1 - parts.of_chains); };
   if (!(light > 0) || !(mean.of_chains < 1)) return {.failure = "samples carry no light"};
   Constant result{.b = {constant(mean), 0}, .effective_samples = light * light / squares};
   std::vector<double> deviations;
   for (std::size_t p = 0; p < runs.size(); ++p)
-    for (std::size_t g = 0; g < runs[p].samples.size(); ++g) {
+    for (std::size_t g = 0; g < runs[p].groups(); ++g) {
       Parts rest = mean;
-      rest.add(runs[p].mean(g), pulls[p]).add(runs[p].mean(), -pulls[p]);
+      rest.add(runs[p].mean_without(g), shares[p].pull).add(runs[p].mean(), -shares[p].pull);
       result.without.push_back(constant(rest));
       deviations.push_back(std::pow(result.without.back() - result.b.value, 2));
     }

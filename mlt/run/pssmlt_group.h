@@ -68,7 +68,6 @@ class PssmltChains : public SeededChains<Space, SampleSeeds> {
   int chains() const { return chain_count_; }
   void keep_chains(int most) { chain_count_ = std::min(chain_count_, most); }
   void start_chains(const SeedTally& others) {
-    this->end_seeds();
     constants_ = {this->seed_tally().mean(), others.mean(), kernel_.large_step};
   }
 

@@ -24,6 +24,8 @@ concept ChainSource = requires(C& chains, const C& made, std::uint64_t count,
   { made.tally() } -> std::same_as<const SeedTally&>;
   // After the seed pass: of the chains for which there are seeds, only so many run.
   chains.keep_chains(1);
+  // The seeds are drawn: samples after this are no candidates.
+  chains.end_seeds();
   // After that; `others`: what all other groups found.
   chains.start_chains(others);
   // Can steps add anything to the film?
@@ -98,6 +100,7 @@ class SeededChains {
     slice_.run(count, watcher);
   }
   std::uint64_t rays() const { return slice_.rays(); }
+  void end_seeds() { slice_.end_seeds(); }
   const SeedTally& tally() const { return slice_.tally(); }
   const SeedTally& seed_tally() const { return slice_.seed_tally(); }
   const SeedEvidence& evidence() const { return slice_.evidence(); }
@@ -114,8 +117,6 @@ class SeededChains {
   SeededChains(const Space& space, std::uint64_t seed, int group, int seeds,
                const FilmLayout& layout)
       : space_(space), seed_(seed), slice_(space, seed, group, seeds, layout) {}
-
-  void end_seeds() { slice_.end_seeds(); }
 
   const Space& space_;
   std::uint64_t seed_;

@@ -3,7 +3,7 @@
 //
 //   deposits on bin j in film f = common_j + own_fj
 //
-// A bin is one channel of a pixel.  // A group adds to own_fj in float.  A tile of bins in which a film has taken `most_additions` is
+// A bin is one channel of a pixel.  A group adds to own_fj in float.  A tile of bins in which a film has taken `most_additions` is
 // flushed between two turns of the groups: the mean of own_fj over f moves to common_j, in double.
 // What stays in float is how far the films differ.
 //

@@ -75,6 +75,7 @@ class Trial {
     double light = others_.mean();
     if (flaw_ == Flaw::border_of_its_own) light = made(g, light).tally().mean();
     Group group = made(g, light);
+    group.end_seeds();
     group.start_chains(others_);
     if (group.takes_steps()) group.advance(steps);
     group.add_seeds(beside);
