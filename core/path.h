@@ -74,6 +74,7 @@ class Path {
     copy(other, 0, other.size(), 0);
     contribution = other.contribution;
     intensity = other.intensity;
+    intensity_under_roulette = other.intensity_under_roulette;
     weights_ = other.weights_;
     return *this;
   }
@@ -97,13 +98,15 @@ class Path {
   // sampler that chooses technique s with probability ∝ q_s, and w_s = q_s p_{s,t} / Σ.
   Scaled contribution;
   Scaled intensity;
+  // The same of a sampler whose walks play Russian roulette.
+  Scaled intensity_under_roulette;
   bool is_weighed() const { return !intensity.is_zero(); }
   std::vector<double>& weights() { return weights_; }
   const std::vector<double>& weights() const { return weights_; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(size_, weights_, contribution, intensity);
+    archive(size_, weights_, contribution, intensity, intensity_under_roulette);
     if (vertices_.size() < static_cast<std::size_t>(size_))
       vertices_.resize(static_cast<std::size_t>(size_));
     for (int i = 0; i < size_; ++i) archive((*this)[i]);

@@ -9,6 +9,9 @@
 
 namespace wander {
 
+// Russian roulette: whether a walk goes on depends on the vertex alone, and is part of the density.
+enum class Roulette { off, by_albedo };
+
 enum class Connection { open, occluded, facing_away };
 
 // Subpaths are sampled vertex by vertex, connected and measured.
@@ -22,6 +25,8 @@ concept PathSpace = requires(const S& space, Path<typename S::Universe>& y,
   space.begin_sensor(y, i, random);
   { space.extend(y, i, toward, random) } -> std::same_as<bool>;
   { space.survival(v) } -> std::convertible_to<double>;
+  { space.albedo(v) } -> std::convertible_to<double>;
+  { space.with(Roulette::by_albedo) } -> std::convertible_to<S>;
   { space.may_connect(x, i) } -> std::same_as<bool>;
   { space.connect(y, i) } -> std::same_as<Connection>;
   space.evaluate(y, i);

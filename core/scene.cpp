@@ -69,6 +69,7 @@ Scene<W>::Scene(SceneParts<W> parts)
                          .is_flat = is_flat<W>(part.shape),
                          .is_sensor = part.is_sensor,
                          .is_smooth = is_smooth<W>(part.shape),
+                         .albedo = std::visit([](const auto& m) { return m.survival(); }, material),
                          .radiance = part.radiance,
                          .tint = part.tint,
                          .texture = textures_[part.material].get()});

@@ -37,6 +37,7 @@ struct Surface {
   bool is_flat = false;      // no two points of one primitive see each other
   bool is_sensor = false;
   bool is_smooth = false;  // scatters about normals that are not its own (shading.h)
+  Real albedo = 0;         // of the material, with which Russian roulette lets a walk go on
   Real radiance = 0;       // 0: no light; of colours luminance, as all values
   Real light_density = 0;  // of points, when a light is sampled; per unit of area
   [[no_unique_address]] typename W::Tint tint{};  // of its radiance

@@ -98,8 +98,24 @@ double weighted_contribution(const Space& space, const Path<W>& x, int s, const 
   return c > 0 && std::isfinite(c) ? c * mis_weight(space, x, s, set, heuristic) : 0;
 }
 
+// Σ_s w_s q_s, where under Russian roulette the walks of technique s, which go on at all vertices but
+// the two that are joined, come to their ends with probability
+//   q_s = Π_{i != s-1, s} albedo_i.
+template <class Space, class W>
+Scaled survival(const Space& space, const Path<W>& x, std::span<const double> weights) {
+  Scaled all = 1;
+  double sum = 0, before = 1;  // of x_{s-1}
+  for (int s = 0; s <= x.size(); ++s) {
+    const double here = s < x.size() ? double(space.albedo(x[s])) : 1;
+    sum += weights[static_cast<std::size_t>(s)] / (before * here);
+    all *= before = here;
+  }
+  return all * Scaled(sum);
+}
+
 // Writes f(x), the intensity Σ_s p_{s,t}(x) over the techniques of a sampler that gives each the
-// same chance, and the balance weights w_s = p_{s,t} / Σ, s = 0…n, into the path.
+// same chance, without roulette and under it, and the balance weights w_s = p_{s,t} / Σ, s = 0…n,
+// into the path.
 template <class Space, class W>
 void weigh(const Space& space, Path<W>& x) {
   const int n = x.size();
@@ -120,6 +136,7 @@ void weigh(const Space& space, Path<W>& x) {
     weights[static_cast<std::size_t>(s)] = can_sample(space, x, s, all_techniques) ? p.value() : 0;
     if (s < n) p *= ratio;
   }
+  x.intensity_under_roulette = sum * survival(space, x, weights);
 }
 
 }  // namespace wander

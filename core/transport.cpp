@@ -283,8 +283,7 @@ void Transport<W>::evaluate(Path<W>& x, int i) const {
 template <World W>
 auto Transport<W>::albedo(const Vertex<W>& v) const -> Real {
   if (v.event == Event::emission || v.event == Event::detection) return 1;
-  return Texel<W>(*scene_, v.place)
-      .scaled(std::visit([](const auto& m) { return m.survival(); }, material(v)));
+  return Texel<W>(*scene_, v.place).scaled(scene_->surface(v.place.shape).albedo);
 }
 
 template <World W>

@@ -22,9 +22,6 @@
 
 namespace wander {
 
-// Russian roulette: whether a walk goes on depends on the vertex alone, and is part of the density.
-enum class Roulette { off, by_albedo };
-
 // The random numbers that a first vertex consumes.
 template <World W>
 struct PointNumbers {
@@ -45,6 +42,8 @@ class Transport {
 
   const Scene<W>& scene() const { return *scene_; }
   int max_vertices() const { return scene_->max_vertices(); }
+  // The same paths, found by walks that play another roulette.
+  Transport with(Roulette roulette) const { return {*scene_, roulette}; }
 
   template <class Random>
   void begin_light(Path<W>& x, int i, Random& random) const {
@@ -70,10 +69,11 @@ class Transport {
   }
   bool extend(Path<W>& x, int i, Toward toward, ScatterNumbers<W> u) const;
 
-  // Probability that a walk goes on at this vertex.
+  // Probability that a walk goes on at this vertex; and with which it would under Russian roulette.
   Real survival(const Vertex<W>& v) const {
     return roulette_ == Roulette::off ? Real(1) : albedo(v);
   }
+  Real albedo(const Vertex<W>& v) const;
 
   // ---- moves
   // Where x_i, an end of a path, is on its surface or lens, and the same end put elsewhere on it.
@@ -161,7 +161,6 @@ class Transport {
     if (chooses_lobe(v)) u.lobe = unit_number<Real>(random.uniform());
     return u;
   }
-  Real albedo(const Vertex<W>& v) const;
   Direction known_direction(const Path<W>& x, int i, Toward toward) const {
     return toward == Toward::sensor ? -x[i - 1].place.to_sensor : x[i].place.to_sensor;
   }

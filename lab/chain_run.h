@@ -139,14 +139,24 @@ class ChainRun final : public LiveRun {
  private:
   static constexpr std::uint64_t steps_per_round = 1024;  // of each group
 
+  // Of the run, as far as it is known before it; of an error it is not.
+  double steps_per_chain() const {
+    const auto most = static_cast<double>(settings_.steps_per_chain);
+    const auto expected = expected_steps(run_);
+    if (!expected) return most;
+    const int chains =
+        settings_.groups * settings_.chains_for(static_cast<std::uint64_t>(*expected));
+    return *expected / chains;
+  }
   Pilot pilot() const {
     ChainSettings settings = settings_;
     settings.groups = std::min(settings.groups, chains_of_pilot);
     settings.chains_per_group = 1;
     settings.film_parts = FilmParts::raster;
-    settings.film = {.most_small = 1 << 10};  // τ asks for no more, and it has a film for each border
+    settings.film = {.most_small = 1
+                                   << 10};  // τ asks for no more, and it has a film for each border
     const auto trial = make_(settings, seed_of_pilot(run_.session().seed));
-    return make_pilot(*trial, run_);
+    return make_pilot(*trial, run_, steps_per_chain());
   }
   // All samples before the chains: of a budget of time the share is one of seconds.
   Pooling with_seed_share(const Pilot& pilot, double share) const {

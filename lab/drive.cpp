@@ -54,7 +54,7 @@ class Drive {
       // it found.
       if (!had_all_seeds) keep();
       headway_.seed_seconds = execution_.seconds();
-      run_.start(chains_for(expected_steps()));
+      run_.start(run_.settings().chains_for(expected_steps()));
     }
     Rendering r = sampled();
     if (had_all_seeds) keep();
@@ -141,14 +141,6 @@ class Drive {
     return static_cast<std::uint64_t>(static_cast<double>(run_.seeds().samples) *
                                       std::max(0.0, budget->seconds - now) /
                                       std::max(now - seeds_begin_, 1e-9));
-  }
-  // Of each group.
-  int chains_for(std::uint64_t steps) const {
-    const ChainSettings settings = run_.settings();
-    if (settings.steps_per_chain == 0) return settings.chains_per_group;
-    const auto most = static_cast<std::uint64_t>(settings.chains_per_group);
-    const std::uint64_t enough = steps / settings.steps_per_chain / run_.seeds().slices;
-    return static_cast<int>(std::clamp<std::uint64_t>(enough, 1, most));
   }
 
   // ---- the samples

@@ -1,6 +1,7 @@
 // How the work of a Markov chain method is laid out.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -26,6 +27,14 @@ struct ChainSettings {
   std::uint64_t fewest_seeds = 1 << 15;  // samples, of all groups together
   NormalizationMethod normalization = NormalizationMethod::bridge;
   FilmLayout film{};
+
+  // Of each group, where all make so many steps together.
+  int chains_for(std::uint64_t steps) const {
+    if (steps_per_chain == 0) return chains_per_group;
+    const std::uint64_t enough = steps / steps_per_chain / static_cast<std::uint64_t>(groups);
+    return static_cast<int>(
+        std::clamp<std::uint64_t>(enough, 1, static_cast<std::uint64_t>(chains_per_group)));
+  }
 
   bool operator==(const ChainSettings&) const = default;
 };

@@ -8,7 +8,7 @@ namespace wander {
 
 namespace {
 
-constexpr double enough_effective_samples = 64;
+constexpr double fewest_effective_samples = 64, enough_effective_samples = 512;
 constexpr double smallest_border = 0x1p-2, largest_border = 0x1p18;  // over b
 
 // Σ over the cells of a histogram of f(number of paths, their l).
@@ -36,20 +36,16 @@ class Variance {
       return l * side.of_samples(l) * side.of_samples(l);
     };
     // Few of either have seen what is bright and rare.
-    const double of_samples =
-        std::max(by_states(second_moment), by_samples(second_moment)) / samples_per_step;
+    const auto more_of = [&](auto&& g) { return std::max(by_states(g), by_samples(g)); };
+    const double of_samples = more_of(second_moment) / samples_per_step;
     const double of_chains =
-        light_times([&](double l) { return side.of_chains(l) * side.of_chains(l); });
-    const double easy = light_times([&](double l) { return side.of_samples(l); });
+        more_of([&](double l) { return side.of_chains(l) * side.of_chains(l); });
+    const double easy = by_samples([&](double l) { return side.of_samples(l); });
     return of_samples + border.steps_per_draw * of_chains + of_samples / (bins_ * easy * easy);
   }
 
  private:
   // E_π[g(l / b)]
-  template <class G>
-  double light_times(G&& g) const {
-    return pilot_.states.count() > 0 ? by_states(g) : by_samples(g);
-  }
   template <class G>
   double by_states(G&& g) const {
     const RatioHistogram& states = pilot_.states;
@@ -123,6 +119,10 @@ double Pilot::effective_samples() const {
 }
 
 bool is_telling(const Pilot& pilot) {
+  return pilot.effective_samples() >= fewest_effective_samples;
+}
+
+bool tells_enough(const Pilot& pilot) {
   return pilot.effective_samples() >= enough_effective_samples;
 }
 

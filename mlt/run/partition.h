@@ -50,8 +50,9 @@ struct Pilot {
   // Of its samples, l of what they found, and how many rays they took.
   RatioHistogram found{};
   double samples = 0, rays = 0;
-  // Of its chains, l of the states.
+  // Of its chains, l of the states, and how many steps each has made.
   RatioHistogram states{};
+  double steps_per_chain = 0;
   // With a border, how many steps tell as much of the chains' part of the film as one independent draw.
   struct Border {
     double c, steps_per_draw;
@@ -74,23 +75,25 @@ inline constexpr double rays_per_step = 5;
 // With ρ samples per step the variance of the film, summed over all bins and times the steps, is about
 //   V(ρ, c) = A + τ b² E_π[w_M²] + b² A / (bins (∫ f w_B)²),   A = b E_π[l w_B²] / ρ:
 // the samples' part, the chains', and that of b itself (pooled_film.h), which moves all bins.  E_π is
-// over the states of the chains, which know the fireflies that samples have not yet drawn; without
-// states b E_π[g] is what the samples say of it, E_B[Σ l g]; for A, whichever is more.  Were the
+// over the states of the chains, which know the fireflies that samples have not yet drawn; or b E_π[g]
+// is what the samples say of it, E_B[Σ l g], who know the light that few chains have come to: of either
+// what says more of a variance.  Were the
 // steps n_M = n_B / (ρ τ) independent draws, the best border would be that of the balance heuristic,
 // c = b n_B / n_M = b ρ τ.  But τ depends on c: chains that know easy light well may be slow to come
 // to the hard.
 //
 // The ρ and c that have the least V (1 + ρ κ), with κ the cost of a sample in steps; ρ of the powers of
 // two between these, but no more than with which samples take most_cost times as long as steps.
-inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 8,
-                        most_cost = 6;
+inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 32,
+                        most_cost = 24;
 Pooling best_pooling(const Pilot& pilot, std::size_t bins);
 
 // The best c for so many samples per step; nothing is left to samples where the pilot found no light.
 Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins);
 
-// Did enough of its samples find light to choose by?
+// Did enough of its samples find light to choose by?  And to choose well?
 bool is_telling(const Pilot& pilot);
+bool tells_enough(const Pilot& pilot);
 
 // How many steps tell as much as one draw, if the means of chains of n steps have a variance of so
 // many times that of one draw.  Where autocorrelation falls as e^(-2 i/τ) that is, with x = 2 n/τ,

@@ -48,7 +48,9 @@ class PathChains : public SeededChains<Space, PathSeeds> {
     return wander::observation(space_, step, current);
   }
   Features features_of(const Path<W>& x) const { return features(space_, x); }
-  double ratio(const Path<W>& x) const { return (x.contribution / x.intensity).value(); }
+  double ratio(const Path<W>& x) const {
+    return (x.contribution / x.intensity_under_roulette).value();
+  }
   Functionals functionals_of(const Path<W>& x) const { return functionals(space_, x); }
 
  private:

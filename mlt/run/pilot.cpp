@@ -1,5 +1,6 @@
 #include "mlt/run/pilot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -51,11 +52,26 @@ Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t
     for (const StateRatios& stratum : group.states)
       pilot.states.add(*stratum.ratios, stratum.weight);
   }
+  pilot.steps_per_chain = static_cast<double>(steps);
   if (steps == 0) return pilot;
   const std::span<const PooledParts> parts = groups.front().parts;
   for (std::size_t k = 0; k < parts.size(); ++k)
     pilot.borders.push_back(
         {parts[k].partition().c, steps_per_draw(groups, k, pilot.states, steps)});
+  return pilot;
+}
+
+Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain) {
+  Pilot pilot = late;
+  const double so_far = std::log(late.steps_per_chain / early.steps_per_chain);
+  const double to_come = std::log(std::max(1.0, steps_per_chain / late.steps_per_chain));
+  if (!(so_far > 0)) return pilot;
+  for (std::size_t k = 0; k < pilot.borders.size(); ++k) {
+    double& tau = pilot.borders[k].steps_per_draw;
+    const double growth =
+        std::clamp(std::log(tau / early.borders[k].steps_per_draw) / so_far, 0.0, 1.0);
+    tau *= std::exp(growth * to_come);
+  }
   return pilot;
 }
 

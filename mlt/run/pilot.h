@@ -12,7 +12,7 @@ namespace wander {
 // The seed of the pilot of a run with this seed.
 std::uint64_t seed_of_pilot(std::uint64_t seed);
 
-// From what its groups found, each with a part of each border, after so many steps of each.
+// From what its groups of one chain each found, each with a part of each border, after so many steps of each.
 Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t steps);
 
 // τ of the chains' part with border k, from the variance of the groups' films between each other, over
@@ -21,5 +21,11 @@ Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t
 // where D^M_gj is what group g deposits on bin j with the weight w_M, as a share of all its deposits.
 double steps_per_draw(std::span<const GroupFindings> groups, std::size_t border,
                       const RatioHistogram& states, std::uint64_t steps);
+
+// `late` as it would be after so many steps of each chain.  Where chains mix τ is the same after any
+// number of steps.  Where they do not it grows with them, for what they know of how much light lies
+// where is what their seeds knew: τ is taken to go on as the power of the steps by which it has grown
+// since `early`, the same pilot before; between 0 and 1.
+Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain);
 
 }  // namespace wander

@@ -3,8 +3,7 @@
 //
 // Chains come in independent groups, each with a slice of the samples of its own.  In a slice,
 //   b_g = mean of Σ w f/p,   seeds drawn from its paths in proportion to w f / p,
-// and b_g times the mean of what its chains deposit is unbiased for any length of the chains.  No
-// Russian roulette.  Seeds are found in one sweep by weighted reservoirs; only the sample's index
+// and b_g times the mean of what its chains deposit is unbiased for any length of the chains.  Seeds are found in one sweep by weighted reservoirs; only the sample's index
 // is kept, and the path is made again from its random numbers.
 //
 // When seeds are drawn samples may go on beside the chains: they are further evidence of b and of the
@@ -66,7 +65,7 @@ class SeedSlice {
   SeedSlice(const Space& space, std::uint64_t seed, int group, int count,
             const FilmLayout& layout = {})
       : space_(&space),
-        sampler_(space, all_techniques, Heuristic::balance),
+        sampler_(space.with(Seeds::roulette), all_techniques, Heuristic::balance),
         samples_(seed, Purpose::seed_pass, static_cast<std::uint32_t>(group)),
         seeds_(Rng(seed, Purpose::resample, static_cast<std::uint32_t>(group)), count),
         tally_(space.max_vertices()),
@@ -102,7 +101,8 @@ class SeedSlice {
     archive(seeds_, tally_, takes_seeds_, of_seeds_, evidence_);
   }
 
-  // The path of a seed, whose weight must come out as it was, bit for bit.
+  // The path of a seed, whose weight must come out as it was, bit for bit; measured as one of the
+  // chains' space.
   Path<W> replay(const Seed& seed, int max_vertices) {
     Path<W> path(max_vertices);
     bool found = false;
@@ -114,10 +114,11 @@ class SeedSlice {
       found = true;
     });
     if (!found) throw SeedReplayError("a seed path could not be replayed from its random numbers");
+    for (int i = 0; i < path.size(); ++i) space_->evaluate(path, i);
     return path;
   }
 
-  // The random numbers of a seed's sample, at their places.
+  // The random numbers of a seed's sample, at their places; without roulette.
   PrimaryNumbers numbers(const Seed& seed, const PrimaryLayout<W>& layout) {
     PrimaryNumbers numbers(layout.of_samples());
     samples_.start(seed.sample);

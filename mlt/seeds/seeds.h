@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/path_space.h"
 #include "core/rng.h"
 #include "mlt/seeds/seed_tally.h"
 #include "statistics/sum.h"
@@ -54,12 +55,14 @@ class Reservoirs {
 
 // Beside drawing, each kind of seeds says among which strata the states of its chains are compared
 // with the seed pass (bridge.h), by the ratios of what it found: one stratum for each target
-// density that the chains have; and how much light a slice has found in a stratum.
+// density that the chains have; how much light a slice has found in a stratum; and whether the walks
+// of samples play Russian roulette, which a chain in primary sample space has no numbers for.
 
 // The seeds of chains whose state is a path of any length.
 class PathSeeds {
  public:
   static int strata(int) { return 1; }
+  static constexpr Roulette roulette = Roulette::by_albedo;
   static constexpr Ratios ratios = Ratios::of_paths;
   static std::size_t stratum(int) { return 0; }
   static double light(const SeedTally& tally, std::size_t) { return tally.mean(); }
@@ -84,6 +87,7 @@ class PathSeeds {
 class SampleSeeds {
  public:
   static int strata(int) { return 1; }
+  static constexpr Roulette roulette = Roulette::off;
   static constexpr Ratios ratios = Ratios::of_samples;
   static std::size_t stratum(int) { return 0; }
   static double light(const SeedTally& tally, std::size_t) { return tally.mean(); }
@@ -108,6 +112,7 @@ class SampleSeeds {
 class LengthSeeds {
  public:
   static int strata(int max_vertices) { return max_vertices - 1; }
+  static constexpr Roulette roulette = Roulette::off;
   static constexpr Ratios ratios = Ratios::of_paths;
   static std::size_t stratum(int vertices) { return static_cast<std::size_t>(vertices) - 2; }
   static double light(const SeedTally& tally, std::size_t stratum) {

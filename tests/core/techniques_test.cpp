@@ -111,6 +111,24 @@ TEST_P(Techniques, AreMeasuredAsTheyAreWeighted) {
   });
 }
 
+// Of walks that play roulette the same path has another intensity, which is known without them.
+TEST_P(Techniques, KnowTheIntensityUnderRoulette) {
+  int less = 0;
+  for_each_path(2000, [&](const Space& space, const Path<Flatland>& x, int) {
+    const auto measured = [&](Roulette roulette) {
+      Path<Flatland> y = x;
+      const Space other = space.with(roulette);
+      for (int i = 0; i < x.size(); ++i) other.evaluate(y, i);
+      weigh(other, y);
+      return y;
+    };
+    const Path<Flatland> without = measured(Roulette::off), with = measured(Roulette::by_albedo);
+    ASSERT_NEAR((without.intensity_under_roulette / with.intensity).value(), 1, 1e-12);
+    less += with.intensity / without.intensity < Scaled(0.999);
+  });
+  EXPECT_GT(less, 100);
+}
+
 TEST_P(Techniques, DeliverTheQuotientOfContributionAndDensity) {
   for_each_path(2000, [&](const Space&, const Path<Flatland>& x, int s) {
     const double exact = (contribution(x) / technique_density(x, s)).value();

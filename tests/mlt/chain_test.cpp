@@ -99,7 +99,7 @@ TEST_F(ChainStep, BeginsWithASeedThatTheChainHasMeasured) {
   Path<W> unmeasured = seed(space_), measured = unmeasured;
   weigh(space_, measured);
   unmeasured.weights().clear();
-  unmeasured.contribution = unmeasured.intensity = 0;
+  unmeasured.contribution = unmeasured.intensity = unmeasured.intensity_under_roulette = 0;
   EXPECT_TRUE(identical(Chain(space_, kernel, unmeasured).current(), measured));
 }
 TEST_F(ChainStep, AFailureKeepsItsReason) {

@@ -28,6 +28,8 @@ class Kirchhoff {
   const Scene<W>& scene() const { return flat_.scene(); }
   int max_vertices() const { return flat_.max_vertices(); }
   double survival(const Vertex<W>&) const { return 1; }
+  double albedo(const Vertex<W>&) const { return 1; }
+  const Kirchhoff& with(Roulette) const { return *this; }
 
   template <class Random>
   void begin_light(Path<W>& x, int i, Random& random) const {

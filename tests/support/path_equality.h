@@ -31,7 +31,8 @@ template <class W>
     }
     if (!identical(u, v)) return ::testing::AssertionFailure() << "they differ at vertex " << i;
   }
-  if (!(a.contribution == b.contribution && a.intensity == b.intensity))
+  if (!(a.contribution == b.contribution && a.intensity == b.intensity &&
+        a.intensity_under_roulette == b.intensity_under_roulette))
     return ::testing::AssertionFailure() << "their contributions or intensities differ";
   if (a.weights() != b.weights()) return ::testing::AssertionFailure() << "their weights differ";
   return ::testing::AssertionSuccess();

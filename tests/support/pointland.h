@@ -100,6 +100,8 @@ class Graph {
     return lower.geometry > 0;
   }
   double survival(const Vertex<Pointland>&) const { return 1; }
+  double albedo(const Vertex<Pointland>&) const { return 1; }
+  const auto& with(Roulette) const { return *this; }
 
   bool may_connect(const PointPath&, int) const { return true; }
   Connection connect(PointPath& x, int i) const;

@@ -53,9 +53,8 @@ TEST(Pooling, IsTheBalanceOfSamplesAndDraws) {
 }
 
 TEST(Pooling, TakesTheLeastWork) {
-  for (const Pilot& pilot :
-       {pilot_of({{1, 9000}, {2, 500}}), pilot_of({{1, 5000}, {400, 80}}),
-        pilot_of({{0.1, 3000}, {30, 100}})}) {
+  for (const Pilot& pilot : {pilot_of({{1, 9000}, {2, 500}}), pilot_of({{1, 5000}, {400, 80}}),
+                             pilot_of({{0.1, 3000}, {30, 100}})}) {
     ASSERT_TRUE(is_telling(pilot));
     const Pooling best = best_pooling(pilot, bins);
     const double least = work(pilot, best) * (1 + 1e-9);
@@ -102,6 +101,21 @@ TEST(Pooling, HearsOfFirefliesFromTheChains) {
   EXPECT_EQ(best_pooling(pilot, bins).samples_per_step, most_samples_per_step);
   for (int i = 0; i < 1000; ++i) pilot.states.add(i % 2 == 0 ? 1 : 1e5);
   EXPECT_LT(best_pooling(pilot, bins).samples_per_step, 1);
+}
+
+// Of chains none of which has come to the light that carries half of what the samples found.
+TEST(Pooling, HearsFromTheSamplesWhatChainsHaveNotSeen) {
+  Pilot seen = pilot_of({{1, 10'000}, {1000, 10}}), unseen = seen;
+  for (int i = 0; i < 1000; ++i) {
+    seen.states.add(i % 2 == 0 ? 1 : 1000);
+    unseen.states.add(1);
+  }
+  for (const double c : borders_around(seen.b())) {
+    seen.borders.push_back({c, 1000});
+    unseen.borders.push_back({c, 1000});
+  }
+  const Pooling a = pooling(seen, 1, bins), b = pooling(unseen, 1, bins);
+  EXPECT_NEAR(std::log2(b.partition.c / a.partition.c), 0, 2.01) << "a border more or less";
 }
 
 TEST(Pooling, LeavesLessToChainsThatMixBadly) {

@@ -74,6 +74,24 @@ TEST(StepsPerDrawOfFilms, IsNoMoreThanFourTimesTheStepsAndUsualWhereNothingIsKno
             usual_steps_per_draw);
 }
 
+TEST(Pilots, ExpectOfChainsThatDoNotMixThatTheyGoOnSo) {
+  const auto pilot = [](double steps, double first, double second) {
+    return Pilot{.steps_per_chain = steps, .borders = {{1, first}, {4, second}}};
+  };
+  const Pilot early = pilot(500, 20, 100);
+  // The first has mixed; τ of the second has grown as the root of the steps.
+  const Pilot run = extrapolated(early, pilot(2000, 20, 200), 32'000);
+  EXPECT_DOUBLE_EQ(run.borders[0].steps_per_draw, 20);
+  EXPECT_NEAR(run.borders[1].steps_per_draw, 800, 1e-9);
+  EXPECT_EQ(run.borders[1].c, 4);
+  // No faster than the steps, and nothing is expected of a run that is shorter.
+  EXPECT_NEAR(extrapolated(early, pilot(2000, 900, 200), 4000).borders[0].steps_per_draw, 1800,
+              1e-9);
+  EXPECT_DOUBLE_EQ(extrapolated(early, pilot(2000, 10, 200), 32'000).borders[0].steps_per_draw, 10);
+  EXPECT_DOUBLE_EQ(extrapolated(early, pilot(2000, 20, 200), 100).borders[1].steps_per_draw, 200);
+  EXPECT_DOUBLE_EQ(extrapolated(early, pilot(500, 20, 200), 32'000).borders[1].steps_per_draw, 200);
+}
+
 TEST(Pilots, HaveSeedsOfTheirOwn) {
   for (const std::uint64_t seed : {0ull, 1ull, 2ull, 77ull, ~0ull}) {
     EXPECT_NE(seed_of_pilot(seed), seed);

@@ -28,16 +28,17 @@ struct Found {
   double weight;
 };
 
-// The paths of a slice, by the sampler itself.
+// The paths of a slice, by the sampler itself, as the chains' space measures them.
 std::vector<Found> paths_of_slice(const Flat& space, std::uint64_t seed, int group,
                                   std::uint64_t samples) {
-  PathSampler<Flat> sampler(space, all_techniques, Heuristic::balance);
+  PathSampler<Flat> sampler(space.with(Roulette::by_albedo), all_techniques, Heuristic::balance);
   Rng random(seed, Purpose::seed_pass, static_cast<std::uint32_t>(group));
   std::vector<Found> found;
   for (std::uint64_t i = 0; i < samples; ++i) {
     random.start(i);
     sampler.sample(random, [&](const Path<W>& x, int s, double weight) {
       found.push_back({i, s, x, weight});
+      for (int k = 0; k < x.size(); ++k) space.evaluate(found.back().path, k);
     });
   }
   return found;
@@ -113,6 +114,8 @@ TEST_P(SeedPass, AReplayedSeedIsTheSamePathBitForBit) {
     EXPECT_TRUE(identical(replayed, original->path));
     weigh(space_, replayed);
     EXPECT_TRUE(replayed.contribution.is_positive());
+    const Scaled ratio = replayed.contribution / replayed.intensity_under_roulette;
+    EXPECT_NEAR(ratio.value() / seed.weight, 1, 1e-12) << "w f/p is l";
   }
 }
 
