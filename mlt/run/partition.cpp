@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mlt/run/light_by_ratio.h"
+
 namespace wander {
 
 namespace {
@@ -26,39 +28,23 @@ double sum(const RatioHistogram& ratios, F&& f) {
 class Variance {
  public:
   Variance(const Pilot& pilot, std::size_t bins)
-      : pilot_(pilot), bins_(static_cast<double>(bins)), b_(pilot.b()) {}
+      : light_(pilot.found, pilot.states), bins_(static_cast<double>(bins)), b_(pilot.b()) {}
 
   double b() const { return b_; }
   // V(ρ, c) / b²
   double of(const Pilot::Border& border, double samples_per_step) const {
     const Partition side{border.c / b_};
-    const auto second_moment = [&](double l) {
-      return l * side.of_samples(l) * side.of_samples(l);
-    };
-    // Few of either have seen what is bright and rare.
-    const auto more_of = [&](auto&& g) { return std::max(by_states(g), by_samples(g)); };
-    const double of_samples = more_of(second_moment) / samples_per_step;
-    const double of_chains =
-        more_of([&](double l) { return side.of_chains(l) * side.of_chains(l); });
-    const double easy = by_samples([&](double l) { return side.of_samples(l); });
+    const auto mean = [&](auto&& g) { return light_.mean([&](double l) { return g(l / b_); }); };
+    const double of_samples =
+        mean([&](double l) { return l * side.of_samples(l) * side.of_samples(l); }) /
+        samples_per_step;
+    const double of_chains = mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
+    const double easy = mean([&](double l) { return side.of_samples(l); });
     return of_samples + border.steps_per_draw * of_chains + of_samples / (bins_ * easy * easy);
   }
 
  private:
-  // E_π[g(l / b)]
-  template <class G>
-  double by_states(G&& g) const {
-    const RatioHistogram& states = pilot_.states;
-    if (!(states.count() > 0)) return 0;
-    return sum(states, [&](double count, double l) { return count * g(l / b_); }) / states.count();
-  }
-  template <class G>
-  double by_samples(G&& g) const {
-    return sum(pilot_.found, [&](double paths, double l) { return paths * (l / b_) * g(l / b_); }) /
-           pilot_.samples;
-  }
-
-  const Pilot& pilot_;
+  LightByRatio light_;
   double bins_, b_;
 };
 
@@ -127,8 +113,8 @@ bool tells_enough(const Pilot& pilot) {
 }
 
 Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins) {
+  if (!(pilot.b() > 0) || !(samples_per_step > 0)) return {.samples_per_step = samples_per_step};
   const Variance variance(pilot, bins);
-  if (!(variance.b() > 0) || !(samples_per_step > 0)) return {.samples_per_step = samples_per_step};
   return best_border(pilot, variance, samples_per_step).pooling;
 }
 

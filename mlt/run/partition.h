@@ -75,9 +75,7 @@ inline constexpr double rays_per_step = 5;
 // With ρ samples per step the variance of the film, summed over all bins and times the steps, is about
 //   V(ρ, c) = A + τ b² E_π[w_M²] + b² A / (bins (∫ f w_B)²),   A = b E_π[l w_B²] / ρ:
 // the samples' part, the chains', and that of b itself (pooled_film.h), which moves all bins.  E_π is
-// over the states of the chains, which know the fireflies that samples have not yet drawn; or b E_π[g]
-// is what the samples say of it, E_B[Σ l g], who know the light that few chains have come to: of either
-// what says more of a variance.  Were the
+// over all light, as what the pilot saw says of it (light_by_ratio.h).  Were the
 // steps n_M = n_B / (ρ τ) independent draws, the best border would be that of the balance heuristic,
 // c = b n_B / n_M = b ρ τ.  But τ depends on c: chains that know easy light well may be slow to come
 // to the hard.

@@ -61,16 +61,36 @@ Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t
   return pilot;
 }
 
+namespace {
+
+// The share of the chains' part of the light that samples found and chains have not come to.
+double unvisited(const Pilot& pilot, Partition side) {
+  double by_states = 0, by_samples = 0, found = 0;
+  for (int i = pilot.states.first(); i < pilot.states.end(); ++i)
+    if (const auto [number, sum] = pilot.states[i]; number > 0)
+      by_states += number * side.of_chains(sum / number);
+  for (int i = pilot.found.first(); i < pilot.found.end(); ++i)
+    if (const auto [number, sum] = pilot.found[i]; number > 0) {
+      by_samples += sum * side.of_chains(sum / number);
+      found += sum;
+    }
+  if (!(by_samples > 0)) return 0;
+  return 1 - by_states / pilot.states.count() / (by_samples / found);
+}
+
+}  // namespace
+
 Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain) {
+  constexpr double noise = 0.25;
   Pilot pilot = late;
   const double so_far = std::log(late.steps_per_chain / early.steps_per_chain);
   const double to_come = std::log(std::max(1.0, steps_per_chain / late.steps_per_chain));
   if (!(so_far > 0)) return pilot;
   for (std::size_t k = 0; k < pilot.borders.size(); ++k) {
-    double& tau = pilot.borders[k].steps_per_draw;
-    const double growth =
-        std::clamp(std::log(tau / early.borders[k].steps_per_draw) / so_far, 0.0, 1.0);
-    tau *= std::exp(growth * to_come);
+    auto& [c, tau] = pilot.borders[k];
+    const double grown = std::log(tau / early.borders[k].steps_per_draw) / so_far;
+    const double power = std::max(grown, unvisited(late, {c}));
+    tau *= std::exp(std::clamp((power - noise) / (1 - noise), 0.0, 1.0) * to_come);
   }
   return pilot;
 }

@@ -24,8 +24,10 @@ double steps_per_draw(std::span<const GroupFindings> groups, std::size_t border,
 
 // `late` as it would be after so many steps of each chain.  Where chains mix τ is the same after any
 // number of steps.  Where they do not it grows with them, for what they know of how much light lies
-// where is what their seeds knew: τ is taken to go on as the power of the steps by which it has grown
-// since `early`, the same pilot before; between 0 and 1.
+// where is what their seeds knew.  τ is taken to go on as a power of the steps: that by which it has
+// grown since `early`, the same pilot before; or the share of the chains' part that samples have found
+// and no chain has come to, if that is more.  Of either a quarter may be noise, and what is above is
+// stretched to 0 … 1.
 Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain);
 
 }  // namespace wander

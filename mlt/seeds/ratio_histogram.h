@@ -71,6 +71,9 @@ class RatioHistogram {
   Bin operator[](int i) const {
     return i < first_ || i >= end() ? Bin{} : bins_[static_cast<std::size_t>(i - first_)];
   }
+  static double middle(int i) {
+    return std::bit_cast<double>((2 * static_cast<std::uint64_t>(i) + 1) << (51 - bits_per_octave));
+  }
   double count() const {
     double sum = 0;
     for (const Bin& bin : bins_) sum += bin.count;

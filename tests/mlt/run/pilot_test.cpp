@@ -74,22 +74,43 @@ TEST(StepsPerDrawOfFilms, IsNoMoreThanFourTimesTheStepsAndUsualWhereNothingIsKno
             usual_steps_per_draw);
 }
 
+// Two borders, with the τ of each.
+Pilot after(double steps, double first, double second) {
+  return {.steps_per_chain = steps, .borders = {{1, first}, {4, second}}};
+}
+
 TEST(Pilots, ExpectOfChainsThatDoNotMixThatTheyGoOnSo) {
-  const auto pilot = [](double steps, double first, double second) {
-    return Pilot{.steps_per_chain = steps, .borders = {{1, first}, {4, second}}};
-  };
-  const Pilot early = pilot(500, 20, 100);
-  // The first has mixed; τ of the second has grown as the root of the steps.
-  const Pilot run = extrapolated(early, pilot(2000, 20, 200), 32'000);
+  const Pilot early = after(500, 20, 100);
+  // The first has mixed; τ of the second has grown as the steps to the power of 5/8, of which 1/2 is left.
+  const double grown = 100 * std::pow(4, 0.625);
+  const Pilot run = extrapolated(early, after(2000, 20, grown), 32'000);
   EXPECT_DOUBLE_EQ(run.borders[0].steps_per_draw, 20);
-  EXPECT_NEAR(run.borders[1].steps_per_draw, 800, 1e-9);
+  EXPECT_NEAR(run.borders[1].steps_per_draw, 4 * grown, 1e-9);
   EXPECT_EQ(run.borders[1].c, 4);
   // No faster than the steps, and nothing is expected of a run that is shorter.
-  EXPECT_NEAR(extrapolated(early, pilot(2000, 900, 200), 4000).borders[0].steps_per_draw, 1800,
+  EXPECT_NEAR(extrapolated(early, after(2000, 900, 200), 4000).borders[0].steps_per_draw, 1800,
               1e-9);
-  EXPECT_DOUBLE_EQ(extrapolated(early, pilot(2000, 10, 200), 32'000).borders[0].steps_per_draw, 10);
-  EXPECT_DOUBLE_EQ(extrapolated(early, pilot(2000, 20, 200), 100).borders[1].steps_per_draw, 200);
-  EXPECT_DOUBLE_EQ(extrapolated(early, pilot(500, 20, 200), 32'000).borders[1].steps_per_draw, 200);
+  EXPECT_DOUBLE_EQ(extrapolated(early, after(2000, 10, 200), 32'000).borders[0].steps_per_draw, 10);
+  EXPECT_DOUBLE_EQ(extrapolated(early, after(2000, 20, 200), 100).borders[1].steps_per_draw, 200);
+  EXPECT_DOUBLE_EQ(extrapolated(early, after(500, 20, 200), 32'000).borders[1].steps_per_draw, 200);
+}
+
+// Samples found nearly all light beyond the border; chains had less of their states there.
+TEST(Pilots, ExpectNothingOfChainsThatHaveNotComeToTheHardLight) {
+  const auto with = [](double hard_states) {
+    const auto pilot = [&](double steps) {
+      Pilot made{.samples = 1000, .steps_per_chain = steps, .borders = {{1, 20}}};
+      for (int i = 0; i < 1000; ++i) made.states.add(i < 1000 * hard_states ? 1e9 : 1e-9);
+      for (int i = 0; i < 1000; ++i) made.found.add(1e6);
+      for (int i = 0; i < 1024; ++i) made.found.add(1e-6);
+      return made;
+    };
+    return extrapolated(pilot(500), pilot(2000), 32'000).borders[0].steps_per_draw;
+  };
+  EXPECT_DOUBLE_EQ(with(1), 20);
+  EXPECT_DOUBLE_EQ(with(0.8), 20) << "noise";
+  EXPECT_NEAR(with(0.25), 20 * std::pow(16, 2 / 3.), 0.1);
+  EXPECT_NEAR(with(0), 20 * 16, 0.1);
 }
 
 TEST(Pilots, HaveSeedsOfTheirOwn) {

@@ -1,0 +1,74 @@
+#include "mlt/run/light_by_ratio.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace wander {
+
+namespace {
+
+constexpr double begin_of_tail = 0.3, seen_tail = 0.05;  // S(t₀), S(t₁)
+constexpr double end_of_tail = 1e-4;                     // what a run of usual size will not see
+constexpr double octave = 1 << RatioHistogram::bits_per_octave;
+
+// A share of the light for each bin of a histogram, from `first` on.
+struct Shares {
+  int first;
+  std::vector<double> of;
+
+  double& at(int i) { return of[static_cast<std::size_t>(i - first)]; }
+  int last() const { return first + static_cast<int>(of.size()) - 1; }
+};
+
+// S at the lower end of each bin first … last.
+template <class Light>
+Shares light_above(const RatioHistogram& ratios, int first, int last, Light&& light) {
+  Shares above{first, std::vector<double>(static_cast<std::size_t>(last - first) + 1)};
+  double sum = 0;
+  for (int i = last; i >= first; --i) above.at(i) = sum += light(ratios[i]);
+  for (double& share : above.of) share = sum > 0 ? share / sum : 0;
+  return above;
+}
+
+// The last bin where S is no less.
+int reach(const Shares& above, double share) {
+  const auto beyond = std::ranges::partition_point(above.of, [&](double s) { return s >= share; });
+  return above.first + static_cast<int>(beyond - above.of.begin()) - 1;
+}
+
+void add_tail(Shares& above) {
+  const int begin = reach(above, begin_of_tail), end = reach(above, seen_tail);
+  if (end == begin) return;
+  const double share = above.at(end);
+  const double power = std::log2(above.at(begin) / share) * octave / (end - begin);  // α
+  const int last = end + static_cast<int>(std::log2(share / end_of_tail) * octave / power);
+  if (last > above.last()) above.of.resize(static_cast<std::size_t>(last - above.first) + 1);
+  for (int i = end + 1; i <= last; ++i)
+    above.at(i) = std::max(above.at(i), share * std::exp2(-power * (i - end) / octave));
+}
+
+// l of a bin: the mean of what is in it, or its middle.
+double ratio_of(int bin, const RatioHistogram& found, const RatioHistogram& states) {
+  const double count = found[bin].count + states[bin].count;
+  return count > 0 ? (found[bin].sum + states[bin].sum) / count : RatioHistogram::middle(bin);
+}
+
+}  // namespace
+
+LightByRatio::LightByRatio(const RatioHistogram& found, const RatioHistogram& states) {
+  const bool has_states = states.count() > 0;
+  const int first = has_states ? std::min(found.first(), states.first()) : found.first();
+  const int last = std::max(found.end(), has_states ? states.end() : 0) - 1;
+  Shares above = light_above(found, first, last, [](const auto& bin) { return bin.sum; });
+  const Shares by_states =
+      light_above(states, first, last, [](const auto& bin) { return bin.count; });
+  for (std::size_t k = 0; k < above.of.size(); ++k)
+    above.of[k] = std::max(above.of[k], by_states.of[k]);
+  add_tail(above);
+  for (int i = above.first; i <= above.last(); ++i) {
+    const double light = above.at(i) - (i < above.last() ? above.at(i + 1) : 0);
+    if (light > 0) cells_.push_back({ratio_of(i, found, states), light});
+  }
+}
+
+}  // namespace wander

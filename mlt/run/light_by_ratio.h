@@ -1,0 +1,41 @@
+// How the light of a scene is distributed over the ratios l = f / p̄ of the paths that carry it, as few
+// samples and states know it: S(t), the share of light with l ≥ t.
+//
+// Of states S is a count.  Samples say the same by what they found: Σ l over those with l ≥ t, over
+// Σ l.  Samples have seldom drawn what has a large l, and chains may not have come there, so S is the
+// more of both.  What neither has seen is not nothing: the tails of l are often powers,
+//   S(t) = S(t₁) (t / t₁)^-α  beyond t₁,   α = log(S(t₀) / S(t₁)) / log(t₁ / t₀),
+// where t₀ and t₁ are as far out as S is 0.3 and 0.05 (the estimate of Hill [1975] by two quantiles), and
+// S is no less than that.  Where l is bounded, S falls steeply there, and the power law adds nothing.
+//
+// S so is above what it may be, and E_π[g] of all g that grow with l: it errs for the chains' side of a
+// partition (partition.h), whose fault is the smaller one.
+#pragma once
+
+#include <vector>
+
+#include "mlt/seeds/ratio_histogram.h"
+
+namespace wander {
+
+class LightByRatio {
+ public:
+  // Of samples, what they found; of chains, l of their states.  Either may be empty.
+  LightByRatio(const RatioHistogram& found, const RatioHistogram& states);
+
+  // E_π[g(l)]
+  template <class G>
+  double mean(G&& g) const {
+    double total = 0;
+    for (const Cell& cell : cells_) total += cell.light * g(cell.ratio);
+    return total;
+  }
+
+ private:
+  struct Cell {
+    double ratio, light;  // l, and the share of light that has it
+  };
+  std::vector<Cell> cells_;
+};
+
+}  // namespace wander

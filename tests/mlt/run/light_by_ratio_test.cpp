@@ -1,0 +1,76 @@
+// The light beyond a ratio, from what few samples and states say of it.
+#include "mlt/run/light_by_ratio.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/rng.h"
+
+namespace wander::test {
+namespace {
+
+double light_beyond(const LightByRatio& light, double ratio) {
+  return light.mean([&](double l) { return l >= ratio ? 1.0 : 0.0; });
+}
+
+TEST(LightByRatio, OfStatesIsACountAndOfSamplesWhatTheyFound) {
+  RatioHistogram states, found, none;
+  for (int i = 0; i < 600; ++i) states.add(i % 3 == 0 ? 4 : 1);
+  for (int i = 0; i < 900; ++i) found.add(i % 9 == 0 ? 4 : 1);  // 4 of 12
+  for (const LightByRatio& light : {LightByRatio(none, states), LightByRatio(found, none)}) {
+    EXPECT_NEAR(light.mean([](double) { return 1; }), 1, 1e-12);
+    EXPECT_NEAR(light_beyond(light, 3.99), 1.0 / 3, 1e-12);
+  }
+}
+
+TEST(LightByRatio, IsTheMoreOfBoth) {
+  RatioHistogram states, found;
+  for (int i = 0; i < 1000; ++i) {
+    states.add(i < 600 ? 1 : 8);  // 0.4 beyond 8, nothing beyond 100
+    found.add(i < 990 ? 1 : 99);  // half beyond 99
+  }
+  const LightByRatio light(found, states);
+  EXPECT_NEAR(light_beyond(light, 98), 0.5, 1e-12);
+  EXPECT_NEAR(light_beyond(light, 7.9), 0.5, 1e-12) << "what is beyond 98 is beyond 8 as well";
+}
+
+// 2000 draws of a power law are known at t₁, where a hundred of them lie beyond, to a tenth, and α so to
+// 0.06: the tail a thousand times as far out to a half.  Six such errors are a factor of 8.
+TEST(LightByRatio, GoesOnAsAPowerWhereItFellAsOne) {
+  for (const double power : {0.6, 1.0}) {
+    RatioHistogram states;
+    Rng random(1, Purpose::test, 3);
+    random.start(0);
+    for (int i = 0; i < 2000; ++i) states.add(std::pow(1 - random.uniform(), -1 / power));
+    const LightByRatio light({}, states);
+    const double far = std::pow(2e-4, -1 / power);  // where so much lies beyond
+    EXPECT_NEAR(std::log2(light_beyond(light, far) / 2e-4), 0, 3) << power;
+  }
+}
+
+TEST(LightByRatio, EndsWhereRatiosAreBounded) {
+  RatioHistogram states;
+  Rng random(1, Purpose::test, 4);
+  random.start(0);
+  for (int i = 0; i < 2000; ++i) states.add(2 + random.uniform());
+  EXPECT_EQ(light_beyond(LightByRatio({}, states), 6), 0);
+}
+
+// A power of two moves all ratios and nothing else.
+TEST(LightByRatio, KnowsNoUnitOfLight) {
+  RatioHistogram one, other;
+  Rng random(1, Purpose::test, 5);
+  random.start(0);
+  for (int i = 0; i < 500; ++i) {
+    const double l = 1 / (1 - random.uniform());
+    one.add(l);
+    other.add(0x1p-60 * l);
+  }
+  const auto g = [](double l) { return l / (1 + l); };
+  EXPECT_EQ(LightByRatio(one, {}).mean(g),
+            LightByRatio(other, {}).mean([&](double l) { return g(0x1p60 * l); }));
+}
+
+}  // namespace
+}  // namespace wander::test
