@@ -7,8 +7,8 @@ namespace wander {
 
 namespace {
 
-constexpr double begin_of_tail = 0.3, seen_tail = 0.05;  // S(t₀), S(t₁)
-constexpr double end_of_tail = 1e-4;                     // what a run of usual size will not see
+constexpr double seen_tail = 0.05;    // S(t₁)
+constexpr double end_of_tail = 1e-4;  // what a run of usual size will not see
 constexpr double octave = 1 << RatioHistogram::bits_per_octave;
 
 // A share of the light for each bin of a histogram, from `first` on.
@@ -36,11 +36,18 @@ int reach(const Shares& above, double share) {
   return above.first + static_cast<int>(beyond - above.of.begin()) - 1;
 }
 
+// α; infinite where S has a step.
+double power_between(Shares& above, double more, double less) {
+  const int begin = reach(above, more), end = reach(above, less);
+  return std::log2(above.at(begin) / above.at(end)) * octave / (end - begin);
+}
+
 void add_tail(Shares& above) {
-  const int begin = reach(above, begin_of_tail), end = reach(above, seen_tail);
-  if (end == begin) return;
+  const double power =
+      std::max(power_between(above, 0.3, seen_tail), power_between(above, 0.15, 0.025));
+  if (!std::isfinite(power)) return;
+  const int end = reach(above, seen_tail);
   const double share = above.at(end);
-  const double power = std::log2(above.at(begin) / share) * octave / (end - begin);  // α
   const int last = end + static_cast<int>(std::log2(share / end_of_tail) * octave / power);
   if (last > above.last()) above.of.resize(static_cast<std::size_t>(last - above.first) + 1);
   for (int i = end + 1; i <= last; ++i)

@@ -5,8 +5,10 @@
 // Σ l.  Samples have seldom drawn what has a large l, and chains may not have come there, so S is the
 // more of both.  What neither has seen is not nothing: the tails of l are often powers,
 //   S(t) = S(t₁) (t / t₁)^-α  beyond t₁,   α = log(S(t₀) / S(t₁)) / log(t₁ / t₀),
-// where t₀ and t₁ are as far out as S is 0.3 and 0.05 (the estimate of Hill [1975] by two quantiles), and
-// S is no less than that.  Where l is bounded, S falls steeply there, and the power law adds nothing.
+// with t₁ as far out as S is 0.05, and S is no less than that.  α is the steepest that two pairs of
+// quantiles know, 0.3 and 0.05, 0.15 and 0.025: between the light of two parts of path space, such as
+// what is seen and what is a caustic, S is flat, and no tail.  Where l is bounded S falls steeply, and
+// the power law adds nothing.
 //
 // S so is above what it may be, and E_π[g] of all g that grow with l: it errs for the chains' side of a
 // partition (partition.h), whose fault is the smaller one.

@@ -39,8 +39,10 @@ class Variance {
         mean([&](double l) { return l * side.of_samples(l) * side.of_samples(l); }) /
         samples_per_step;
     const double of_chains = mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
-    const double easy = mean([&](double l) { return side.of_samples(l); });
-    return of_samples + border.steps_per_draw * of_chains + of_samples / (bins_ * easy * easy);
+    const double hard = mean([&](double l) { return side.of_chains(l); }), easy = 1 - hard;
+    const double of_total = border.steps_per_draw_of_total * std::max(0.0, of_chains - hard * hard);
+    return of_samples + border.steps_per_draw * of_chains +
+           (of_samples + of_total) / (bins_ * easy * easy);
   }
 
  private:
@@ -51,7 +53,8 @@ class Variance {
 std::vector<Pilot::Border> borders_of(const Pilot& pilot) {
   if (!pilot.borders.empty()) return pilot.borders;
   std::vector<Pilot::Border> borders;
-  for (const double c : borders_around(pilot.b())) borders.push_back({c, usual_steps_per_draw});
+  for (const double c : borders_around(pilot.b()))
+    borders.push_back({c, usual_steps_per_draw, usual_steps_per_draw});
   return borders;
 }
 

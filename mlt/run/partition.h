@@ -53,9 +53,10 @@ struct Pilot {
   // Of its chains, l of the states, and how many steps each has made.
   RatioHistogram states{};
   double steps_per_chain = 0;
-  // With a border, how many steps tell as much of the chains' part of the film as one independent draw.
+  // With a border, how many steps tell as much as one independent draw: of where the chains' part of the
+  // light lies on the film; and of how large it is in all, which unknown moves b.
   struct Border {
-    double c, steps_per_draw;
+    double c, steps_per_draw, steps_per_draw_of_total;
   };
   std::vector<Border> borders{};
 
@@ -73,7 +74,7 @@ inline constexpr double usual_steps_per_draw = 16;
 inline constexpr double rays_per_step = 5;
 
 // With ρ samples per step the variance of the film, summed over all bins and times the steps, is about
-//   V(ρ, c) = A + τ b² E_π[w_M²] + b² A / (bins (∫ f w_B)²),   A = b E_π[l w_B²] / ρ:
+//   V(ρ, c) = A + τ b² E_π[w_M²] + b² (A + τ' b² Var_π(w_M)) / (bins (∫ f w_B)²),   A = b E_π[l w_B²] / ρ:
 // the samples' part, the chains', and that of b itself (pooled_film.h), which moves all bins.  E_π is
 // over all light, as what the pilot saw says of it (light_by_ratio.h).  Were the
 // steps n_M = n_B / (ρ τ) independent draws, the best border would be that of the balance heuristic,
@@ -82,8 +83,8 @@ inline constexpr double rays_per_step = 5;
 //
 // The ρ and c that have the least V (1 + ρ κ), with κ the cost of a sample in steps; ρ of the powers of
 // two between these, but no more than with which samples take most_cost times as long as steps.
-inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 32,
-                        most_cost = 24;
+inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 64,
+                        most_cost = 32;
 Pooling best_pooling(const Pilot& pilot, std::size_t bins);
 
 // The best c for so many samples per step; nothing is left to samples where the pilot found no light.

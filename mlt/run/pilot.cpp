@@ -11,37 +11,70 @@ std::uint64_t seed_of_pilot(std::uint64_t seed) {
   return (seed ^ 0x70696C6F74) * 0x9E3779B97F4A7C15;
 }
 
-double steps_per_draw(std::span<const GroupFindings> groups, std::size_t border,
-                      const RatioHistogram& states, std::uint64_t steps) {
-  std::vector<double> sums(groups.front().film->bins()), squares(sums.size());
-  double count = 0;
-  for (const GroupFindings& group : groups) {
-    double mass = 0;
-    for (std::size_t j = 0; j < sums.size(); ++j) mass += group.film->weight(j);
-    if (!(mass > 0)) continue;
-    ++count;
-    const GroupFilm& film = group.parts[border].of_chains();
-    for (std::size_t j = 0; j < sums.size(); ++j) {
-      const double share = film.weight(j) / mass;
-      sums[j] += share;
-      squares[j] += share * share;
-    }
+namespace {
+
+// Σ over bins of the variance between groups, and of the square of their mean.
+class Spread {
+ public:
+  explicit Spread(std::size_t bins) : sums_(bins), squares_(bins) {}
+
+  void add(std::size_t bin, double share) {
+    sums_[bin] += share;
+    squares_[bin] += share * share;
   }
-  if (count < 2) return usual_steps_per_draw;
-  const Partition& side = groups.front().parts[border].partition();
-  double spread = 0, second_moment = 0;
-  for (int i = states.first(); i < states.end(); ++i)
-    if (const auto [number, sum] = states[i]; number > 0)
-      second_moment += number * std::pow(side.of_chains(sum / number), 2) / states.count();
-  double of_draw = second_moment;
-  for (std::size_t j = 0; j < sums.size(); ++j) {
-    const double mean = sums[j] / count;
-    spread += (squares[j] - count * mean * mean) / (count - 1);
-    of_draw -= mean * mean;
+  double variance(double count) const {
+    double sum = 0;
+    for (std::size_t j = 0; j < sums_.size(); ++j)
+      sum += (squares_[j] - sums_[j] * sums_[j] / count) / (count - 1);
+    return sum;
   }
-  // Where all paths have one weight and one bin nothing differs but by rounding.
+  double squared_mean(double count) const {
+    double sum = 0;
+    for (const double s : sums_) sum += s * s / (count * count);
+    return sum;
+  }
+
+ private:
+  std::vector<double> sums_, squares_;
+};
+
+// Where all paths have one weight and one bin nothing differs but by rounding.
+double steps_of(double spread, double of_draw, double second_moment, std::uint64_t steps) {
   const bool differs = of_draw > 1e-9 * second_moment;
   return steps_per_draw(differs ? spread / of_draw : 0, static_cast<double>(steps));
+}
+
+}  // namespace
+
+Pilot::Border border_of(std::span<const GroupFindings> groups, std::size_t border,
+                        const RatioHistogram& states, std::uint64_t steps) {
+  const Partition& side = groups.front().parts[border].partition();
+  Spread film(groups.front().film->bins()), total(1);
+  double count = 0;
+  for (const GroupFindings& group : groups) {
+    double mass = 0, sum = 0;
+    for (std::size_t j = 0; j < group.film->bins(); ++j) mass += group.film->weight(j);
+    if (!(mass > 0)) continue;
+    ++count;
+    const GroupFilm& part = group.parts[border].of_chains();
+    for (std::size_t j = 0; j < part.bins(); ++j) {
+      film.add(j, part.weight(j) / mass);
+      sum += part.weight(j) / mass;
+    }
+    total.add(0, sum);
+  }
+  if (count < 2) return {side.c, usual_steps_per_draw, usual_steps_per_draw};
+  double mean = 0, second_moment = 0;  // of w_M
+  for (int i = states.first(); i < states.end(); ++i)
+    if (const auto [number, sum] = states[i]; number > 0) {
+      const double weight = side.of_chains(sum / number);
+      mean += number * weight / states.count();
+      second_moment += number * weight * weight / states.count();
+    }
+  return {side.c,
+          steps_of(film.variance(count), second_moment - film.squared_mean(count), second_moment,
+                   steps),
+          steps_of(total.variance(count), second_moment - mean * mean, second_moment, steps)};
 }
 
 Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t steps) {
@@ -56,8 +89,7 @@ Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t
   if (steps == 0) return pilot;
   const std::span<const PooledParts> parts = groups.front().parts;
   for (std::size_t k = 0; k < parts.size(); ++k)
-    pilot.borders.push_back(
-        {parts[k].partition().c, steps_per_draw(groups, k, pilot.states, steps)});
+    pilot.borders.push_back(border_of(groups, k, pilot.states, steps));
   return pilot;
 }
 
@@ -78,19 +110,28 @@ double unvisited(const Pilot& pilot, Partition side) {
   return 1 - by_states / pilot.states.count() / (by_samples / found);
 }
 
+// What is above the noise of a pilot.
+double above_noise(double share) {
+  constexpr double noise = 0.25;
+  return std::clamp((share - noise) / (1 - noise), 0.0, 1.0);
+}
+
 }  // namespace
 
 Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain) {
-  constexpr double noise = 0.25;
   Pilot pilot = late;
   const double so_far = std::log(late.steps_per_chain / early.steps_per_chain);
   const double to_come = std::log(std::max(1.0, steps_per_chain / late.steps_per_chain));
-  if (!(so_far > 0)) return pilot;
+  const double one_draw = std::max(steps_per_chain, usual_steps_per_draw);
   for (std::size_t k = 0; k < pilot.borders.size(); ++k) {
-    auto& [c, tau] = pilot.borders[k];
-    const double grown = std::log(tau / early.borders[k].steps_per_draw) / so_far;
-    const double power = std::max(grown, unvisited(late, {c}));
-    tau *= std::exp(std::clamp((power - noise) / (1 - noise), 0.0, 1.0) * to_come);
+    const double unknown = above_noise(unvisited(late, {pilot.borders[k].c}));
+    for (double Pilot::Border::*which :
+         {&Pilot::Border::steps_per_draw, &Pilot::Border::steps_per_draw_of_total}) {
+      double& tau = pilot.borders[k].*which;
+      const double power = so_far > 0 ? std::log(tau / early.borders[k].*which) / so_far : 0;
+      tau *= std::exp(above_noise(power) * to_come);
+      tau = std::min((1 - unknown) * tau + unknown * steps_per_chain, one_draw);
+    }
   }
   return pilot;
 }

@@ -15,19 +15,21 @@ std::uint64_t seed_of_pilot(std::uint64_t seed);
 // From what its groups of one chain each found, each with a part of each border, after so many steps of each.
 Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t steps);
 
-// τ of the chains' part with border k, from the variance of the groups' films between each other, over
-// that of a single draw,
-//   R = Σ_j Var_g(D^M_gj) / (E_π[w_M²] - Σ_j (mean of D^M_gj)²),
+// τ and τ' of the chains' part with border k, from the variance of the groups' films between each other,
+// over that of a single draw,
+//   R  = Σ_j Var_g(D^M_gj) / (E_π[w_M²] - Σ_j (mean of D^M_gj)²),
+//   R' = Var_g(Σ_j D^M_gj) / Var_π(w_M),
 // where D^M_gj is what group g deposits on bin j with the weight w_M, as a share of all its deposits.
-double steps_per_draw(std::span<const GroupFindings> groups, std::size_t border,
-                      const RatioHistogram& states, std::uint64_t steps);
+Pilot::Border border_of(std::span<const GroupFindings> groups, std::size_t border,
+                        const RatioHistogram& states, std::uint64_t steps);
 
 // `late` as it would be after so many steps of each chain.  Where chains mix τ is the same after any
 // number of steps.  Where they do not it grows with them, for what they know of how much light lies
-// where is what their seeds knew.  τ is taken to go on as a power of the steps: that by which it has
-// grown since `early`, the same pilot before; or the share of the chains' part that samples have found
-// and no chain has come to, if that is more.  Of either a quarter may be noise, and what is above is
-// stretched to 0 … 1.
+// where is what their seeds knew: τ is taken to go on growing as the power of the steps by which it has
+// grown since `early`, the same pilot before.  Of the light of the chains' part that samples have found
+// and no chain has come to, chains know nothing, as if they had not moved.  Of the power and of that
+// share a quarter may be noise, and what is above is stretched to 0 … 1.  τ is no more than the steps of a
+// chain, which tell as much as one draw at least.
 Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain);
 
 }  // namespace wander

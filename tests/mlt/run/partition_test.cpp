@@ -21,7 +21,7 @@ constexpr std::size_t bins = 100;
 // V (1 + ρ κ), of a pilot without states.
 double work(const Pilot& pilot, const Pooling& with) {
   const double c = with.partition.c, rho = with.samples_per_step;
-  double b = 0, samples = 0, chains = 0, easy = 0;
+  double b = 0, samples = 0, chains = 0, hard = 0, easy = 0;
   for (int i = pilot.found.first(); i < pilot.found.end(); ++i) {
     const auto [count, sum] = pilot.found[i];
     if (count == 0) continue;
@@ -29,10 +29,12 @@ double work(const Pilot& pilot, const Pooling& with) {
     b += sum / pilot.samples;
     samples += count / pilot.samples * std::pow(c * l / (l + c), 2);
     chains += count / pilot.samples * l * std::pow(l / (l + c), 2);
+    hard += count / pilot.samples * l * l / (l + c);
     easy += count / pilot.samples * c * l / (l + c);
   }
-  const double of_b = std::pow(b / easy, 2) * samples / bins;
-  return ((samples + of_b) / rho + usual_steps_per_draw * b * chains) * (1 + rho / 2);
+  const double of_total = usual_steps_per_draw * (b * chains - hard * hard);
+  const double of_b = std::pow(b / easy, 2) * (samples / rho + of_total) / bins;
+  return (samples / rho + usual_steps_per_draw * b * chains + of_b) * (1 + rho / 2);
 }
 
 TEST(Partition, LeavesNothingOut) {
@@ -111,8 +113,8 @@ TEST(Pooling, HearsFromTheSamplesWhatChainsHaveNotSeen) {
     unseen.states.add(1);
   }
   for (const double c : borders_around(seen.b())) {
-    seen.borders.push_back({c, 1000});
-    unseen.borders.push_back({c, 1000});
+    seen.borders.push_back({c, 1000, 1000});
+    unseen.borders.push_back({c, 1000, 1000});
   }
   const Pooling a = pooling(seen, 1, bins), b = pooling(unseen, 1, bins);
   EXPECT_NEAR(std::log2(b.partition.c / a.partition.c), 0, 2.01) << "a border more or less";
@@ -121,8 +123,8 @@ TEST(Pooling, HearsFromTheSamplesWhatChainsHaveNotSeen) {
 TEST(Pooling, LeavesLessToChainsThatMixBadly) {
   Pilot quick = pilot_of({{1, 5000}, {50, 100}}), slow = quick;
   for (const double c : borders_around(quick.b())) {
-    quick.borders.push_back({c, 10});
-    slow.borders.push_back({c, 1000});
+    quick.borders.push_back({c, 10, 10});
+    slow.borders.push_back({c, 1000, 1000});
   }
   const Pooling a = pooling(quick, 1, bins), b = pooling(slow, 1, bins);
   EXPECT_EQ(a.steps_per_draw, 10);
