@@ -128,13 +128,9 @@ void ChainFindings::normalize(Rendering& r) const {
   const NormalizationMethod wanted = parts_.front().settings.normalization;
   const std::vector<GroupFindings> groups = weighed_groups();
   Constants b = constants(groups);
-  NormalizationMethod method = b.usable(wanted);
+  const NormalizationMethod method = b.usable(wanted);
   const bool has_parts = is_pooled() && r.samples > 0;
-  if (has_parts) {
-    b.pooled = pooled_constant(groups, groups_of_runs());
-    if (wanted == NormalizationMethod::bridge && b.pooled.failure.empty())
-      method = NormalizationMethod::pooled;
-  }
+  if (has_parts) b.pooled = pooled_constant(groups, groups_of_runs());
   r.normalization = normalization(groups, b, method);
   if (has_parts) {
     PooledFilm pooled = pooled_film(b[method], groups);

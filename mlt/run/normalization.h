@@ -6,7 +6,7 @@
 //   bridge          f / p̄ of the seed pass against that of the states of the chains (bridge.h)
 //
 // Of a pooled film (pooled_film.h) there is a fourth, `pooled`, the bridge with the balance of its border,
-// to which it is scaled where the bridge is asked for.
+// for comparison.
 //
 // The error of the last two is a delete-a-group jackknife: a group takes its slice of the seed pass
 // and its chains along, which start from that slice, so what the two have in common counts, too.

@@ -28,26 +28,41 @@ double sum(const RatioHistogram& ratios, F&& f) {
 class Variance {
  public:
   Variance(const Pilot& pilot, std::size_t bins)
-      : light_(pilot.found, pilot.states), bins_(static_cast<double>(bins)), b_(pilot.b()) {}
+      : light_(pilot.found, pilot.states),
+        bins_(static_cast<double>(bins)),
+        b_(pilot.b()),
+        steps_per_chain_(pilot.steps_per_chain) {}
 
   double b() const { return b_; }
-  // V(ρ, c) / b²
-  double of(const Pilot::Border& border, double samples_per_step) const {
+  // V(ρ, c) / b², but for V_b
+  double of_parts(const Pilot::Border& border, double samples_per_step) const {
     const Partition side{border.c / b_};
-    const auto mean = [&](auto&& g) { return light_.mean([&](double l) { return g(l / b_); }); };
-    const double of_samples =
-        mean([&](double l) { return l * side.of_samples(l) * side.of_samples(l); }) /
-        samples_per_step;
-    const double of_chains = mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
-    const double hard = mean([&](double l) { return side.of_chains(l); }), easy = 1 - hard;
-    const double of_total = border.steps_per_draw_of_total * std::max(0.0, of_chains - hard * hard);
-    return of_samples + border.steps_per_draw * of_chains +
-           (of_samples + of_total) / (bins_ * easy * easy);
+    return of_samples(side) / samples_per_step + border.steps_per_draw * mean([&](double l) {
+                                                   return side.of_chains(l) * side.of_chains(l);
+                                                 }) +
+           border.unvisited * steps_per_chain_;
+  }
+  // V_b(ρ) / b², if the bridge had this border
+  double of_total(const Pilot::Border& border, double samples_per_step) const {
+    const Partition side{border.c / b_};
+    const double hard = mean([&](double l) { return side.of_chains(l); });
+    const double squared = mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
+    const double chains = border.steps_per_draw_of_total * std::max(0.0, squared - hard * hard);
+    return (of_samples(side) / samples_per_step + chains) / (bins_ * (1 - hard) * (1 - hard));
   }
 
  private:
+  template <class G>
+  double mean(G&& g) const {
+    return light_.mean([&](double l) { return g(l / b_); });
+  }
+  // E_π[l w_B²] / b
+  double of_samples(Partition side) const {
+    return mean([&](double l) { return l * side.of_samples(l) * side.of_samples(l); });
+  }
+
   LightByRatio light_;
-  double bins_, b_;
+  double bins_, b_, steps_per_chain_;
 };
 
 std::vector<Pilot::Border> borders_of(const Pilot& pilot) {
@@ -66,8 +81,13 @@ struct Choice {
 Choice best_border(const Pilot& pilot, const Variance& variance, double samples_per_step) {
   const double cost = pilot.rays / pilot.samples / rays_per_step;
   Choice best{.pooling = {.samples_per_step = samples_per_step, .cost_of_sample = cost}};
-  for (const Pilot::Border& border : borders_of(pilot)) {
-    const double work = variance.of(border, samples_per_step) * (1 + samples_per_step * cost);
+  const std::vector<Pilot::Border> borders = borders_of(pilot);
+  double of_total = std::numeric_limits<double>::infinity();
+  for (const Pilot::Border& border : borders)
+    of_total = std::min(of_total, variance.of_total(border, samples_per_step));
+  for (const Pilot::Border& border : borders) {
+    const double work =
+        (variance.of_parts(border, samples_per_step) + of_total) * (1 + samples_per_step * cost);
     if (!(work < best.work)) continue;
     best.work = work;
     best.pooling.partition = {border.c};

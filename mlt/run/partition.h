@@ -57,6 +57,7 @@ struct Pilot {
   // light lies on the film; and of how large it is in all, which unknown moves b.
   struct Border {
     double c, steps_per_draw, steps_per_draw_of_total;
+    double unvisited = 0;  // light of the chains' part that chains do not come to, over b
   };
   std::vector<Border> borders{};
 
@@ -74,8 +75,12 @@ inline constexpr double usual_steps_per_draw = 16;
 inline constexpr double rays_per_step = 5;
 
 // With ρ samples per step the variance of the film, summed over all bins and times the steps, is about
-//   V(ρ, c) = A + τ b² E_π[w_M²] + b² (A + τ' b² Var_π(w_M)) / (bins (∫ f w_B)²),   A = b E_π[l w_B²] / ρ:
-// the samples' part, the chains', and that of b itself (pooled_film.h), which moves all bins.  E_π is
+//   V(ρ, c) = A + b² (τ E_π[w_M²] + n u) + V_b(ρ),   A = b E_π[l w_B²] / ρ:
+// the samples' part, the chains', who for the share u of light that they do not come to have one draw in
+// the n steps of each, and that of b itself, which moves all bins.  b is that of the bridge (bridge.h),
+// which chooses its own balance: V_b is the least of
+//   b² (A + τ' b² Var_π(w_M)) / (bins (∫ f w_B)²)
+// over all borders.  E_π is
 // over all light, as what the pilot saw says of it (light_by_ratio.h).  Were the
 // steps n_M = n_B / (ρ τ) independent draws, the best border would be that of the balance heuristic,
 // c = b n_B / n_M = b ρ τ.  But τ depends on c: chains that know easy light well may be slow to come

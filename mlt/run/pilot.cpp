@@ -95,19 +95,23 @@ Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t
 
 namespace {
 
-// The share of the chains' part of the light that samples found and chains have not come to.
-double unvisited(const Pilot& pilot, Partition side) {
-  double by_states = 0, by_samples = 0, found = 0;
+// The light of the chains' part: as states say it, and as samples do.
+struct HardLight {
+  double by_states = 0, by_samples = 0;
+};
+HardLight hard_light(const Pilot& pilot, Partition side) {
+  HardLight light;
+  double found = 0;
   for (int i = pilot.states.first(); i < pilot.states.end(); ++i)
     if (const auto [number, sum] = pilot.states[i]; number > 0)
-      by_states += number * side.of_chains(sum / number);
+      light.by_states += number * side.of_chains(sum / number) / pilot.states.count();
   for (int i = pilot.found.first(); i < pilot.found.end(); ++i)
     if (const auto [number, sum] = pilot.found[i]; number > 0) {
-      by_samples += sum * side.of_chains(sum / number);
+      light.by_samples += sum * side.of_chains(sum / number);
       found += sum;
     }
-  if (!(by_samples > 0)) return 0;
-  return 1 - by_states / pilot.states.count() / (by_samples / found);
+  if (found > 0) light.by_samples /= found;
+  return light;
 }
 
 // What is above the noise of a pilot.
@@ -116,22 +120,32 @@ double above_noise(double share) {
   return std::clamp((share - noise) / (1 - noise), 0.0, 1.0);
 }
 
+// What samples found beyond a border and chains did not.
+double unvisited(const Pilot& pilot, Partition side) {
+  constexpr double fewest = 0.05;
+  const HardLight hard = hard_light(pilot, side);
+  if (hard.by_samples < fewest) return 0;
+  return above_noise(1 - hard.by_states / hard.by_samples) * hard.by_samples;
+}
+
 }  // namespace
 
 Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain) {
   Pilot pilot = late;
+  pilot.steps_per_chain = std::max(steps_per_chain, usual_steps_per_draw);
   const double so_far = std::log(late.steps_per_chain / early.steps_per_chain);
   const double to_come = std::log(std::max(1.0, steps_per_chain / late.steps_per_chain));
-  const double one_draw = std::max(steps_per_chain, usual_steps_per_draw);
-  for (std::size_t k = 0; k < pilot.borders.size(); ++k) {
-    const double unknown = above_noise(unvisited(late, {pilot.borders[k].c}));
+  double not_seen = 0;  // beyond this border or another after it
+  for (std::size_t k = pilot.borders.size(); k-- > 0;) {
+    Pilot::Border& border = pilot.borders[k];
     for (double Pilot::Border::*which :
          {&Pilot::Border::steps_per_draw, &Pilot::Border::steps_per_draw_of_total}) {
-      double& tau = pilot.borders[k].*which;
+      double& tau = border.*which;
       const double power = so_far > 0 ? std::log(tau / early.borders[k].*which) / so_far : 0;
-      tau *= std::exp(above_noise(power) * to_come);
-      tau = std::min((1 - unknown) * tau + unknown * steps_per_chain, one_draw);
+      tau = std::min(tau * std::exp(above_noise(power) * to_come), pilot.steps_per_chain);
     }
+    not_seen = std::max(not_seen, unvisited(late, {border.c}));
+    border.unvisited = not_seen;
   }
   return pilot;
 }

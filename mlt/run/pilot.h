@@ -26,10 +26,11 @@ Pilot::Border border_of(std::span<const GroupFindings> groups, std::size_t borde
 // `late` as it would be after so many steps of each chain.  Where chains mix τ is the same after any
 // number of steps.  Where they do not it grows with them, for what they know of how much light lies
 // where is what their seeds knew: τ is taken to go on growing as the power of the steps by which it has
-// grown since `early`, the same pilot before.  Of the light of the chains' part that samples have found
-// and no chain has come to, chains know nothing, as if they had not moved.  Of the power and of that
-// share a quarter may be noise, and what is above is stretched to 0 … 1.  τ is no more than the steps of a
-// chain, which tell as much as one draw at least.
+// grown since `early`, the same pilot before.  Of light that samples have found beyond a border and chains
+// have not, chains know nothing, whatever their τ elsewhere: with this border and with all before it.  Of
+// the power and of that light a quarter may be noise, and what is above is stretched to 0 … 1; of a
+// border beyond which there is hardly any light, all.  τ is no more than the steps of a chain, which tell
+// as much as one draw at least.
 Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain);
 
 }  // namespace wander

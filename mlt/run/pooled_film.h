@@ -5,11 +5,10 @@
 //   S_j = bins · Σ_g b_g D^M_gj / Σ_g b_g D_g,
 //
 // with D the deposits of its chains per step, D^M those that count w_M times, and b the normalization
-// constant.  The border has one of its own: w_B + w_M = 1, so b E_π[w_B] = ∫ f w_B, and
+// constant, which s makes the mean of the film.  The border has one of its own: w_B + w_M = 1, so
+// b E_π[w_B] = ∫ f w_B, and
 //   b = E̅ / (1 - S̅),
-// bridge sampling (bridge.h) with the balance b / c of both sides that the pilot chose.  With it the
-// mean of E + b S is b, and s is 1; of another constant s makes it so.  Where samples take all light b
-// is their mean, whatever chains say that have not mixed.
+// bridge sampling (bridge.h) with the balance b / c of both sides that the pilot chose.  With it s is 1.
 //
 // Error.  Delete-a-group jackknife: a group takes its samples, its chains and its part in b along, so
 // what they have in common is counted.  Of several runs, each with a c of its own, the film is the mean

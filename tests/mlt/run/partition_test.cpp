@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace wander::test {
@@ -18,23 +19,32 @@ Pilot pilot_of(std::initializer_list<std::pair<double, int>> paths, double sampl
 }
 constexpr std::size_t bins = 100;
 
-// V (1 + ρ κ), of a pilot without states.
-double work(const Pilot& pilot, const Pooling& with) {
-  const double c = with.partition.c, rho = with.samples_per_step;
-  double b = 0, samples = 0, chains = 0, hard = 0, easy = 0;
+// What a pilot without states says of a border: parts of V, and V_b.
+struct Work {
+  double parts, total;
+};
+Work work(const Pilot& pilot, double c, double rho) {
+  double b = 0, samples = 0, chains = 0, hard = 0;
   for (int i = pilot.found.first(); i < pilot.found.end(); ++i) {
     const auto [count, sum] = pilot.found[i];
     if (count == 0) continue;
     const double l = sum / count;
     b += sum / pilot.samples;
-    samples += count / pilot.samples * std::pow(c * l / (l + c), 2);
+    samples += count / pilot.samples * std::pow(c * l / (l + c), 2) / rho;
     chains += count / pilot.samples * l * std::pow(l / (l + c), 2);
     hard += count / pilot.samples * l * l / (l + c);
-    easy += count / pilot.samples * c * l / (l + c);
   }
-  const double of_total = usual_steps_per_draw * (b * chains - hard * hard);
-  const double of_b = std::pow(b / easy, 2) * (samples / rho + of_total) / bins;
-  return (samples / rho + usual_steps_per_draw * b * chains + of_b) * (1 + rho / 2);
+  const double spread = usual_steps_per_draw * (b * chains - hard * hard);
+  return {samples + usual_steps_per_draw * b * chains,
+          (samples + spread) / (bins * std::pow(1 - hard / b, 2))};
+}
+// V (1 + ρ κ)
+double work(const Pilot& pilot, const Pooling& with) {
+  double least = INFINITY;
+  for (const double c : borders_around(pilot.b()))
+    least = std::min(least, work(pilot, c, with.samples_per_step).total);
+  const double parts = work(pilot, with.partition.c, with.samples_per_step).parts;
+  return (parts + least) * (1 + with.samples_per_step / 2);
 }
 
 TEST(Partition, LeavesNothingOut) {

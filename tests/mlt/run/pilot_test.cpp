@@ -107,22 +107,33 @@ TEST(Pilots, ExpectOfChainsThatDoNotMixThatTheyGoOnSo) {
   EXPECT_DOUBLE_EQ(extrapolated(early, after(500, 20, 200), 32'000).borders[1].steps_per_draw, 200);
 }
 
-// Samples found nearly all light beyond the border; chains had less of their states there.
+// Nearly all of what samples found lies beyond both borders; of the states of the chains less does.
 TEST(Pilots, ExpectNothingOfChainsThatHaveNotComeToTheHardLight) {
-  const auto with = [](double hard_states) {
+  const auto unvisited = [](double hard_states) {
     const auto pilot = [&](double steps) {
-      Pilot made{.samples = 1000, .steps_per_chain = steps, .borders = {{1, 20, 20}}};
+      Pilot made{.samples = 1000, .steps_per_chain = steps, .borders = {{1, 20, 20}, {4, 20, 20}}};
       for (int i = 0; i < 1000; ++i) made.states.add(i < 1000 * hard_states ? 1e9 : 1e-9);
       for (int i = 0; i < 1000; ++i) made.found.add(1e6);
       for (int i = 0; i < 1024; ++i) made.found.add(1e-6);
       return made;
     };
-    return extrapolated(pilot(500), pilot(2000), 32'000).borders[0].steps_per_draw;
+    return extrapolated(pilot(500), pilot(2000), 32'000).borders[0].unvisited;
   };
-  EXPECT_DOUBLE_EQ(with(1), 20);
-  EXPECT_DOUBLE_EQ(with(0.8), 20) << "noise";
-  EXPECT_NEAR(with(0.25), 20 / 3. + 32'000 * 2 / 3., 50);
-  EXPECT_NEAR(with(0), 32'000, 50);
+  EXPECT_EQ(unvisited(1), 0);
+  EXPECT_EQ(unvisited(0.8), 0) << "noise";
+  EXPECT_NEAR(unvisited(0.25), 2 / 3., 0.001);
+  EXPECT_NEAR(unvisited(0), 1, 0.001);
+}
+
+// Nearly all light lies beyond 100, where no chain was; but beyond 1 half of the states are.
+TEST(Pilots, CountWhatIsUnvisitedBeyondAnyBorder) {
+  Pilot pilot{.samples = 1000, .steps_per_chain = 500, .borders = {{1, 20, 20}, {100, 20, 20}}};
+  for (int i = 0; i < 100; ++i) pilot.states.add(i < 50 ? 1e-9 : 10);
+  for (int i = 0; i < 80; ++i) pilot.found.add(10);
+  pilot.found.add(1e6);  // nearly all
+  const Pilot late = extrapolated(pilot, pilot, 500);
+  EXPECT_NEAR(late.borders[1].unvisited, 1, 0.15);
+  EXPECT_GE(late.borders[0].unvisited, late.borders[1].unvisited);
 }
 
 TEST(Pilots, HaveSeedsOfTheirOwn) {
