@@ -12,6 +12,7 @@
 
 #include "lab/pilot_run.h"
 #include "mlt/run/adaptation.h"
+#include "mlt/run/chain_settings.h"
 
 namespace wander {
 
@@ -58,7 +59,7 @@ class AdaptationBudget {
 
   // Of all chains of one factor together; 0: the budget is too small.
   std::uint64_t steps() const {
-    constexpr double share = 1. / 64, steps_per_second = 1e6, fewest = 1 << 12, most = 1 << 15;
+    constexpr double share = 1. / 128, steps_per_second = 1e6, fewest = 1 << 12, most = 1 << 15;
     double steps = most;
     if (const auto* samples = std::get_if<SampleBudget>(&run_.session().budget))
       steps = share * static_cast<double>(samples->samples);
