@@ -6,8 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <array>
 
 #include "core/rng.h"
 #include "mlt/run/adaptation.h"
@@ -18,7 +17,7 @@
 namespace wander::test {
 namespace {
 
-constexpr std::uint32_t chains = 40'000;
+constexpr std::uint32_t chains = 20'000;
 constexpr int steps = 30;
 
 // Steep on one side.
@@ -52,7 +51,7 @@ class Walk {
 double adapted(Rng& random) {
   KernelSearch search;
   while (const auto factor = search.next()) {
-    constexpr int windows = 8;
+    constexpr int windows = 4;
     Walk walk(random);
     WindowSpread spread(10);
     for (int w = 0; w < windows; ++w) {
