@@ -6,9 +6,9 @@
 // shares of the bins, and D the mean of L steps of one chain, a window.  Windows differ by
 //   R_L = E|D - E D|² = E|e - E e|² - 1/L² Σ_{i<k≤L} E|e_i - e_k|²:
 // the kernel with the least R_L is the one with the largest expected squared jump [Pasarica and Gelman
-// 2010] on the bins, over all lags below L.  L R_L / R_1 is τ as far as L steps show it.  A single lag
-// would not do: moves as far as the film is long jump far, and leave chains for long where they are.
-// Steps are taken to cost the same, for factors change their cost by less than can be told.
+// 2010] on the bins, over all lags below L.  L R_L / R_1 is τ as far as L steps show it.  A jump measured as
+// a distance on the film would not do: moves as long as the film jump far, and seldom.  Steps are taken
+// to cost the same: where more of them find light they cost more, by a sixth at the most that was seen.
 #pragma once
 
 #include <cstdint>
