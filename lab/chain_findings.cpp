@@ -41,6 +41,7 @@ Rendering ChainFindings::rendering() const {
   Rendering r;
   r.method = method_;
   r.samples = statistics_.steps();
+  r.adaptation = parts_.front().adaptation;
   for (const Part& part : parts_) {
     r.chains += part.chains;
     r.groups += part.settings.groups;

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "lab/findings.h"
+#include "mlt/run/adaptation.h"
 #include "mlt/run/chain_settings.h"
 #include "mlt/run/group_findings.h"
 #include "mlt/run/large_film.h"
@@ -31,8 +32,10 @@ class ChainFindings final : public Findings {
 
   // The groups of one more run, in their order.
   template <class Groups>
-  void add(const Groups& groups, const ChainSettings& settings) {
-    Part part{settings, GroupsFilm(settings.film.raster(shape_).shape()), groups.shared_light()};
+  void add(const Groups& groups, const ChainSettings& settings,
+           const std::optional<Adaptation>& adaptation) {
+    Part part{settings, adaptation, GroupsFilm(settings.film.raster(shape_).shape()),
+              groups.shared_light()};
     const std::uint64_t before = statistics_.steps();
     for (const auto& group : groups) {
       group->deliver(part.unbiased, statistics_, part.draws);
@@ -51,6 +54,7 @@ class ChainFindings final : public Findings {
   // What of a run is not of its single groups.
   struct Part {
     ChainSettings settings;
+    std::optional<Adaptation> adaptation;
     GroupsFilm unbiased;  // the mean of what each group says by its own slice; of a large film,
     std::optional<SharedLight> shared;  // whose pixels are here, on its raster
     int chains = 0;

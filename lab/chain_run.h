@@ -16,6 +16,7 @@
 #include <optional>
 #include <variant>
 
+#include "lab/adaptation_run.h"
 #include "lab/chain_findings.h"
 #include "lab/live_run.h"
 #include "lab/pilot_run.h"
@@ -28,6 +29,13 @@
 
 namespace wander {
 
+// A kernel that is yet to be adapted: scaled(factor) is the one whose small moves go so many times as
+// far as usual.
+template <class KernelOf>
+struct Adaptable {
+  KernelOf scaled;
+};
+
 // `Chains` is a Group, made of a space and the kernel of its chains.
 template <class Space, Group Chains>
 class ChainRun final : public LiveRun {
@@ -35,13 +43,19 @@ class ChainRun final : public LiveRun {
   template <class Kernel>
   ChainRun(const char* method, const Space& space, const Kernel& kernel, const Run& run,
            const ChainSettings& settings)
-      : method_(method),
-        space_(space),
-        run_(run),
-        settings_(settings),
-        seed_share_(settings.seed_share.value_or(ChainSettings::usual_seed_share)) {
-    make_ = [&space, kernel, &run](const ChainSettings& of, std::uint64_t seed) {
-      return std::make_unique<ChainGroups<Space, Chains>>(space, kernel, run, seed, of);
+      : ChainRun(method, space, run, settings) {
+    make_ = [&space, kernel, &run](const ChainSettings& of, std::uint64_t seed, double) {
+      return std::make_unique<Groups>(space, kernel, run, seed, of);
+    };
+    make_groups(settings.groups, settings.chains_per_group);
+  }
+  template <class KernelOf>
+  ChainRun(const char* method, const Space& space, const Adaptable<KernelOf>& kernel,
+           const Run& run, const ChainSettings& settings)
+      : ChainRun(method, space, run, settings) {
+    is_adapted_ = false;
+    make_ = [&space, kernel, &run](const ChainSettings& of, std::uint64_t seed, double factor) {
+      return std::make_unique<Groups>(space, kernel.scaled(factor), run, seed, of);
     };
     make_groups(settings.groups, settings.chains_per_group);
   }
@@ -53,7 +67,8 @@ class ChainRun final : public LiveRun {
     return now;
   }
   void prepare() override {
-    if (is_prepared()) return;
+    adapt();
+    if (is_prepared() || run_.is_interrupted()) return;
     const Pilot pilot = this->pilot();
     if (run_.is_interrupted()) return;
     pooling_ = settings_.seed_share ? with_seed_share(pilot, *settings_.seed_share)
@@ -106,11 +121,11 @@ class ChainRun final : public LiveRun {
     return std::make_unique<ChainFindings>(method_, shape(), no_statistics());
   }
   void add_to(Findings& all) const override {
-    dynamic_cast<ChainFindings&>(all).add(*groups_, settings_);
+    dynamic_cast<ChainFindings&>(all).add(*groups_, settings_, adaptation_);
   }
   Rendering findings() const override {
     ChainFindings own(method_, shape(), no_statistics());
-    own.add(*groups_, settings_);
+    add_to(own);
     Rendering r;
     run_within(run_, [&] { r = own.rendering(); });
     return r;
@@ -118,15 +133,16 @@ class ChainRun final : public LiveRun {
 
   void save(cereal::BinaryOutputArchive& archive) const override {
     const bool is_started = groups_->is_started();
-    archive(settings_.groups, chains_made_, settings_.chains_per_group, is_started, pooling_,
-            seed_share_, seeds_for_groups_);
+    archive(settings_.groups, chains_made_, settings_.chains_per_group, is_started, is_adapted_,
+            adaptation_, pooling_, seed_share_, seeds_for_groups_);
     groups_->serialize_seeds(archive);
     if (is_started) groups_->serialize_chains(archive);
   }
   void load(cereal::BinaryInputArchive& archive) override {
     int groups = 0, made = 0, chains = 0;
     bool is_started = false;
-    archive(groups, made, chains, is_started, pooling_, seed_share_, seeds_for_groups_);
+    archive(groups, made, chains, is_started, is_adapted_, adaptation_, pooling_, seed_share_,
+            seeds_for_groups_);
     make_groups(groups, made);
     if (pooling_) groups_->pool(*pooling_);
     settings_.chains_per_group = chains;
@@ -137,7 +153,15 @@ class ChainRun final : public LiveRun {
   }
 
  private:
+  using Groups = ChainGroups<Space, Chains>;
   static constexpr std::uint64_t steps_per_round = 1024;  // of each group
+
+  ChainRun(const char* method, const Space& space, const Run& run, const ChainSettings& settings)
+      : method_(method),
+        space_(space),
+        run_(run),
+        settings_(settings),
+        seed_share_(settings.seed_share.value_or(ChainSettings::usual_seed_share)) {}
 
   // Of the run, as far as it is known before it; of an error it is not.
   double steps_per_chain() const {
@@ -148,14 +172,31 @@ class ChainRun final : public LiveRun {
         settings_.groups * settings_.chains_for(static_cast<std::uint64_t>(*expected));
     return *expected / chains;
   }
-  Pilot pilot() const {
+  // Of a pilot, or of an adaptation.
+  ChainSettings settings_of_trial() const {
     ChainSettings settings = settings_;
     settings.groups = std::min(settings.groups, chains_of_pilot);
     settings.chains_per_group = 1;
     settings.film_parts = FilmParts::raster;
-    settings.film = {.most_small = 1
-                                   << 10};  // τ asks for no more, and it has a film for each border
-    const auto trial = make_(settings, seed_of_pilot(run_.session().seed));
+    constexpr std::size_t bins = 1 << 10;  // τ asks for no more, and there may be many films
+    settings.film = {.most_small = bins};
+    return settings;
+  }
+  // Before the first sample: how far small moves go, if that was left to be found.
+  void adapt() {
+    if (is_adapted_) return;
+    const auto make = [&](double factor) {
+      return make_(settings_of_trial(), seed_of_adaptation(run_.session().seed), factor);
+    };
+    const Adaptation found = AdaptationRun(make, settings_.film_parts, bins(), run_).run();
+    if (run_.is_interrupted()) return;
+    is_adapted_ = true;
+    adaptation_ = found;
+    make_groups(settings_.groups, settings_.chains_per_group);
+  }
+  double kernel() const { return adaptation_ ? adaptation_->kernel : Adaptation{}.kernel; }
+  Pilot pilot() const {
+    const auto trial = make_(settings_of_trial(), seed_of_pilot(run_.session().seed), kernel());
     return make_pilot(*trial, run_, steps_per_chain());
   }
   // All samples before the chains: of a budget of time the share is one of seconds.
@@ -177,7 +218,9 @@ class ChainRun final : public LiveRun {
     return static_cast<std::uint64_t>(std::min(seeds, 1e9));
   }
 
-  bool is_prepared() const { return settings_.film_parts == FilmParts::chains || pooling_; }
+  bool is_prepared() const {
+    return is_adapted_ && (settings_.film_parts == FilmParts::chains || pooling_);
+  }
   std::size_t bins() const { return values_of(shape()); }
   std::vector<int> shape() const { return space_.scene().film_shape(); }
   MutationStatistics no_statistics() const {
@@ -188,21 +231,22 @@ class ChainRun final : public LiveRun {
   void make_groups(int groups, int chains_of_each) {
     settings_.groups = groups;
     settings_.chains_per_group = chains_made_ = chains_of_each;
-    groups_ = make_(settings_, run_.session().seed);
+    groups_ = make_(settings_, run_.session().seed, kernel());
   }
 
   const char* method_;
   const Space& space_;
   const Run& run_;
-  ChainSettings settings_;              // chains_per_group: those that run
-  int chains_made_ = 0;                 // of each group, whether they run or not
-  std::uint64_t seeds_for_groups_ = 0;  // by the pilot
-  double seed_share_;                   // of the seed pass before the chains
-  std::optional<Pooling> pooling_;      // once the pilot has run
-  std::function<std::unique_ptr<ChainGroups<Space, Chains>>(const ChainSettings&,
-                                                            std::uint64_t seed)>
+  ChainSettings settings_;                // chains_per_group: those that run
+  int chains_made_ = 0;                   // of each group, whether they run or not
+  std::uint64_t seeds_for_groups_ = 0;    // by the pilot
+  double seed_share_;                     // of the seed pass before the chains
+  bool is_adapted_ = true;                // or the kernel is given
+  std::optional<Adaptation> adaptation_;  // if it was
+  std::optional<Pooling> pooling_;        // once the pilot has run
+  std::function<std::unique_ptr<Groups>(const ChainSettings&, std::uint64_t seed, double kernel)>
       make_;
-  std::unique_ptr<ChainGroups<Space, Chains>> groups_;
+  std::unique_ptr<Groups> groups_;
 };
 
 }  // namespace wander

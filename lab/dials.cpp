@@ -96,8 +96,10 @@ const std::vector<Dial>& table() {
                    default_large_step),
        [](Dials& dials, std::string_view text) { dials.large_step = parse_large_step(text); }},
       {DialId::kernel, "kernel", "FACTOR",
-       "how many times as far small moves go (default: 1): those of primary sample space and of "
-       "the lens, caustic and multi-chain perturbations",
+       "how many times as far small moves go, those of primary sample space and of the lens, "
+       "caustic and multi-chain perturbations; or auto (the default: as far as suits the scene, "
+       "by a trial before the run; 1 where the budget is small, in trace, and for the mutations in "
+       "check)",
        [](Dials& dials, std::string_view text) { dials.kernel = parse_kernel(text); }},
       {DialId::by_length, "by_length", "", asked_for_help("films by path length"),
        [](Dials& dials, std::string_view text) {

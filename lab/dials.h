@@ -21,10 +21,11 @@ struct Dials {
   ChainSettings chains{.film_parts = FilmParts::pooled};  // of the Markov chain methods
   Precision precision = Precision::of_double;             // of scattering, densities and sampling
   double large_step = default_large_step;  // of the primary steps, the share that is large
-  double kernel = 1;                       // a factor on how far small moves go
-  FilmLayout film{};                       // what is kept of the film
+  std::optional<double> kernel{};  // a factor on how far small moves go; none: it is adapted
+  FilmLayout film{};               // what is kept of the film
 
-  FamilySettings family() const { return {mutations, large_step, kernel}; }
+  // Before an adaptation.
+  FamilySettings family() const { return {mutations, large_step, kernel.value_or(1)}; }
   bool operator==(const Dials&) const = default;
 };
 

@@ -33,6 +33,12 @@ Job::Job(const description::Scene& scene, const Method& method, const Dials& dia
 
 Family Job::family() const { return make_family(dials_.family(), requires_of(scene_)); }
 
+Family Job::family(double kernel) const {
+  FamilySettings settings = dials_.family();
+  settings.kernel = kernel;
+  return make_family(settings, requires_of(scene_));
+}
+
 StepEstimator Job::estimator() const {
   return dials_.estimator == StepEstimator::usual ? method_->usual_estimator : dials_.estimator;
 }

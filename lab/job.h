@@ -39,8 +39,9 @@ class Job {
   const Dials& dials() const { return dials_; }
   WorldKind world() const { return world_of(scene_, dials_); }
 
-  // Of the mutations in path space.
+  // Of the mutations in path space; with small moves that go so many times as far.
   Family family() const;
+  Family family(double kernel) const;
   // What the steps deposit.
   StepEstimator estimator() const;
 

@@ -244,11 +244,12 @@ double parse_large_step(std::string_view text) {
       fmt::format("--large-step '{}': allowed are numbers above 0 and below 1, such as 0.3", text));
 }
 
-double parse_kernel(std::string_view text) {
+std::optional<double> parse_kernel(std::string_view text) {
+  if (text == "auto") return std::nullopt;
   const auto factor = number_in<double>(text);
-  if (factor && *factor >= 0.001 && *factor <= 100) return *factor;
-  throw UsageError(
-      fmt::format("--kernel '{}': allowed are factors from 0.001 to 100, such as 0.5", text));
+  if (factor && *factor >= 0.001 && *factor <= 100) return factor;
+  throw UsageError(fmt::format(
+      "--kernel '{}': allowed are auto and factors from 0.001 to 100, such as 0.5", text));
 }
 
 std::string mutations_help() {

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -47,8 +48,8 @@ double parse_exposure(std::string_view text);
 Precision parse_precision(std::string_view text);
 // A share of steps, above 0 and below 1.
 double parse_large_step(std::string_view text);
-// A factor on how far small moves go, from 0.001 to 100.
-double parse_kernel(std::string_view text);
+// A factor on how far small moves go, from 0.001 to 100, or `auto`, which is none.
+std::optional<double> parse_kernel(std::string_view text);
 
 std::uint64_t parse_seed(std::string_view text);
 int parse_threads(std::string_view text);

@@ -24,21 +24,27 @@ namespace wander {
 
 // ---- methods by Markov chains
 
-// `Chains` is the Group of the run.
-template <class Chains, World W, class Kernel>
-std::unique_ptr<LiveRun> chain_run(const Stage<W>& stage, const Kernel& kernel) {
+// `Chains` is the Group of the run; scaled(factor) is the kernel whose small moves go so many times
+// as far as usual.
+template <class Chains, World W, class KernelOf>
+std::unique_ptr<LiveRun> chain_run(const Stage<W>& stage, const KernelOf& scaled) {
   const Dials& dials = stage.job.dials();
   ChainSettings settings = dials.chains;
   settings.film = dials.film;
-  return std::make_unique<ChainRun<Transport<W>, Chains>>(
-      stage.job.method().name.data(), stage.space, kernel, stage.execution,
-      fitted(settings, stage.execution.session().budget));
+  const auto made = [&](const auto& kernel) {
+    return std::make_unique<ChainRun<Transport<W>, Chains>>(
+        stage.job.method().name.data(), stage.space, kernel, stage.execution,
+        fitted(settings, stage.execution.session().budget));
+  };
+  return dials.kernel ? made(scaled(*dials.kernel)) : made(Adaptable<KernelOf>{scaled});
 }
 
 template <template <class S, class SmallStep, class Estimator> class Chains, World W>
 std::unique_ptr<LiveRun> in_primary_space(const Stage<W>& stage) {
   const Dials& dials = stage.job.dials();
-  const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials.kernel), dials.large_step};
+  const auto kernel = [large_step = dials.large_step](double factor) {
+    return PrimaryKernel<Kelemen>{Kelemen{}.scaled(factor), large_step};
+  };
   using Space = Transport<W>;
   return stage.job.estimator() == StepEstimator::kelemen
              ? chain_run<Chains<Space, Kelemen, KelemenWeights>>(stage, kernel)
@@ -47,7 +53,8 @@ std::unique_ptr<LiveRun> in_primary_space(const Stage<W>& stage) {
 
 template <World W>
 std::unique_ptr<LiveRun> MltMethod::make(const Stage<W>& stage) {
-  return chain_run<PathGroup<Transport<W>, Family>>(stage, stage.job.family());
+  return chain_run<PathGroup<Transport<W>, Family>>(
+      stage, [&job = stage.job](double factor) { return job.family(factor); });
 }
 template <World W>
 std::unique_ptr<LiveRun> PssmltMethod::make(const Stage<W>& stage) {

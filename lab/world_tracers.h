@@ -25,7 +25,8 @@ class WorldTracers {
   Trace trace(const TraceRequest& request) const {
     if (job_.method().state == ChainState::numbers_of_path) {
       const Dials& dials = job_.dials();
-      const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials.kernel), dials.large_step};
+      const PrimaryKernel<Kelemen> kernel{Kelemen{}.scaled(dials.family().kernel),
+                                          dials.large_step};
       using Chains = MmltChains<Space, Kelemen, ExpectedValues>;
       return Tracer<Space, Chains>(space_, kernel, session_, request, ChainSettings{}).run();
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/film_estimate.h"
+#include "mlt/run/adaptation.h"
 #include "mlt/run/normalization_record.h"
 #include "mlt/run/partition.h"
 #include "mlt/watch/chains_record.h"
@@ -42,6 +43,7 @@ struct Rendering {
   double seed_seconds = 0;       // wall time until the end of the seed pass
   std::string precision = "double";
   FilmEstimate film;
+  std::optional<Adaptation> adaptation{};  // if the kernel is; of several runs, of the first
   std::optional<PoolingRecord> pooling{};  // if the film is pooled
   std::optional<FilmEstimate>
       chains_film{};  // then: of the chains alone; of a large one, no errors

@@ -59,6 +59,13 @@ ordered_json chains_of_film(const Rendering& rendering, int dimension) {
   return json;
 }
 
+ordered_json json_of(const Adaptation& adaptation) {
+  ordered_json tried = ordered_json::array();
+  for (const TriedKernel& each : adaptation.tried)
+    tried.push_back({{"kernel", each.factor}, {"spread", json_of(each.spread)}});
+  return {{"kernel", adaptation.kernel}, {"tried", tried}};
+}
+
 ordered_json json_of(const PoolingRecord& pooling) {
   return {{"samples", pooling.samples},
           {"light_of_samples", json_of(pooling.light_of_samples)},
@@ -213,6 +220,7 @@ ordered_json to_json(const RunRecord& run, ordered_json film) {
   json["seed_seconds"] = json_of(rendering.seed_seconds);
   json["precision"] = rendering.precision;
   json["film"] = std::move(film);
+  if (rendering.adaptation) json["adaptation"] = json_of(*rendering.adaptation);
   if (rendering.pooling) json["pooling"] = json_of(*rendering.pooling);
   if (rendering.normalization) json["normalization"] = json_of(*rendering.normalization);
   if (rendering.chains > 0) json["chains"] = chains_of(rendering);

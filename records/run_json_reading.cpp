@@ -49,6 +49,13 @@ FilmEstimate chains_film_from(const ordered_json& json, const FilmEstimate& film
   return alone;
 }
 
+Adaptation adaptation_from(const ordered_json& json) {
+  Adaptation adaptation{json.at("kernel")};
+  for (const ordered_json& each : json.at("tried"))
+    adaptation.tried.push_back({each.at("kernel"), number_from(each.at("spread"))});
+  return adaptation;
+}
+
 PoolingRecord pooling_from(const ordered_json& json) {
   return {{{number_from(json.at("border"))},
            number_from(json.at("samples_per_step")),
@@ -148,6 +155,7 @@ Rendering rendering_from(const ordered_json& json) {
   rendering.film = film_from(json.at("film"));
   if (json["film"].contains("chains"))
     rendering.chains_film = chains_film_from(json["film"]["chains"], rendering.film);
+  if (json.contains("adaptation")) rendering.adaptation = adaptation_from(json["adaptation"]);
   if (json.contains("pooling")) rendering.pooling = pooling_from(json["pooling"]);
   if (json.contains("normalization"))
     rendering.normalization = normalization_from(json["normalization"]);

@@ -130,6 +130,9 @@ std::string mutation_lines(const std::vector<MutationRecord>& mutations) {
 
 std::string summary_of(const Rendering& rendering) {
   std::string text = work_line(rendering) + film_lines(rendering.film);
+  if (rendering.adaptation && rendering.adaptation->kernel != 1)
+    text += fmt::format("  adapted         small moves go {} times as far as usual\n",
+                        rendering.adaptation->kernel);
   if (rendering.pooling)
     text += fmt::format("  pooled          {} of the light by {} samples{}\n",
                         percent(rendering.pooling->light_of_samples),

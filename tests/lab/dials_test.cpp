@@ -46,6 +46,7 @@ TEST(Dials, TakeWhatIsInTheirRange) {
   EXPECT_EQ(turned("large_step", "1e-9").large_step, 1e-9);
   EXPECT_EQ(turned("kernel", "0.001").kernel, 0.001);
   EXPECT_EQ(turned("kernel", "100").kernel, 100);
+  EXPECT_EQ(turned("kernel", "auto").kernel, std::nullopt);
   EXPECT_EQ(turned("by_length", "on").film.by_length, Keep::always);
   EXPECT_EQ(turned("maps", "on").film.maps, Keep::always);
 }

@@ -1,11 +1,13 @@
 // Each mutation leaves f invariant in single precision, too, and at the ends of its dials: with
-// moves a hundred times as short and ten times as long, and large steps that are rare or frequent.
+// moves a hundred times as short and ten times as long, as short and as long as an adaptation may choose
+// them, and large steps that are rare or frequent.
 //
 // False alarms: 1e-9 per check, shared by its decisions.
 #include "lab/engine.h"
 
 #include <gtest/gtest.h>
 
+#include "mlt/run/adaptation.h"
 #include "scenes/format/build_scene.h"
 #include "tests/support/expect.h"
 #include "tests/support/invariance.h"
@@ -57,7 +59,7 @@ TEST(InFloat, AnInvertedRatioIsCaught) {
 TEST(ShortAndLongMoves, LeaveTheTargetInvariant) {
   const MutationWeights small{{"lens", 1}, {"caustic", 1}, {"multichain", 1}, {"primary", 1}};
   for (const auto make : {mirror_and_glass, rough_room}) {
-    for (const double kernel : {0.01, 10.0}) {
+    for (const double kernel : {0.01, smallest_kernel, 10.0, largest_kernel}) {
       // The shortest change some functions of few paths alone.
       const int fewest = kernel < 1 ? 2 : 3;
       EXPECT_GE(passed(make(), {.mutations = small, .kernel = kernel}), fewest) << kernel;

@@ -97,6 +97,7 @@ RunRecord markov_chain_run() {
   rendering.film.reliable = {true, false, true};
   rendering.film.degrees_of_freedom = 31;
   rendering.film.by_length = {{2, {0.1, 0, 0}}, {5, {0, 1e-30, 1 / 3.0}}};
+  rendering.adaptation = Adaptation{4, {{1, 0.5}, {4, 0.25}, {16, unknown}}};
   rendering.pooling = {{{0.125}, 0.5, 16, 3}, 250'000, 0.75};
   rendering.chains_film = FilmEstimate{
       .shape = {3}, .value = {0.2, 1e-31, 2 / 3.0}, .standard_error = {0.02, unknown, 1e-2}};
@@ -291,16 +292,19 @@ TEST(RunJson, ADocumentSaysWhatTheContractSays) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{
-                      "schema",       "complete",  "scene",        "dimension", "method",
-                      "samples",      "seed",      "threads",      "seconds",   "cpu_seconds",
-                      "seed_seconds", "precision", "film",         "pooling",   "normalization",
-                      "chains",       "mutations", "command_line", "version",   "provenance",
-                      "warnings"}));
+                      "schema",        "complete",  "scene",     "dimension",    "method",
+                      "samples",       "seed",      "threads",   "seconds",      "cpu_seconds",
+                      "seed_seconds",  "precision", "film",      "adaptation",   "pooling",
+                      "normalization", "chains",    "mutations", "command_line", "version",
+                      "provenance",    "warnings"}));
   EXPECT_EQ(json["schema"], "wanderlight-run/1");
   EXPECT_EQ(json["film"]["shape"], nlohmann::ordered_json({3}));
   EXPECT_EQ(json["film"]["value"][2].get<double>(), 1 / 3.0);
   EXPECT_EQ(json["film"]["reliable"], nlohmann::ordered_json({true, false, true}));
   EXPECT_EQ(json["film"]["degrees_of_freedom"], 31.0);
+  EXPECT_EQ(json["adaptation"], nlohmann::ordered_json::parse(R"({
+    "kernel": 4.0, "tried": [{"kernel": 1.0, "spread": 0.5}, {"kernel": 4.0, "spread": 0.25},
+                             {"kernel": 16.0, "spread": null}]})"));
   EXPECT_EQ(json["normalization"]["estimates"]["seed_pass"]["samples"], 100000);
   EXPECT_EQ(json["normalization"]["by_length"][0]["vertices"], 2);
   EXPECT_EQ(json["normalization"]["by_length"][0]["standard_error"], 0.001);
