@@ -29,6 +29,11 @@ CommandOption Command::add_option(const std::string& names, std::string& value,
   return CommandOption(*app_->add_option(names, value, help));
 }
 
+CommandOption Command::add_option(const std::string& names, std::optional<std::string>& value,
+                                  const std::string& help) {
+  return CommandOption(*app_->add_option(names, value, help));
+}
+
 CommandOption Command::add_option(const std::string& names, std::vector<std::string>& values,
                                   const std::string& help) {
   return CommandOption(*app_->add_option(names, values, help));

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,8 @@ class Command {
 
   // `names` are those of an option (-b,--budget) or of an argument (SCENE).
   CommandOption add_option(const std::string& names, std::string& value, const std::string& help);
+  CommandOption add_option(const std::string& names, std::optional<std::string>& value,
+                           const std::string& help);
   CommandOption add_option(const std::string& names, std::vector<std::string>& values,
                            const std::string& help);
   CommandOption add_option(const std::string& names, const Text& read, const std::string& help);
