@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "records/version.h"
+#include "tools/command.h"
 
 namespace wander {
 
@@ -37,7 +38,7 @@ void build_application(CLI::App& app, Global& global) {
   app.set_version_flag("--version", fmt::format("wander {}", program_version()),
                        "print the version and exit");
   app.require_subcommand(1);
-  add_global_options(app, global);
+  add_global_options(Command(app), global);
   add_render(app, global);
   add_trace(app, global);
   add_inspect(app, global);

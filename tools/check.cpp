@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,6 +13,7 @@
 #include "lab/parsing.h"
 #include "lab/scene_source.h"
 #include "tools/check_report.h"
+#include "tools/command.h"
 #include "tools/console.h"
 #include "tools/dial_options.h"
 #include "tools/examined_job.h"
@@ -165,26 +165,27 @@ ExitCode check_scene(const CheckOptions& options, const Global& global) {
 
 void add_check(CLI::App& app, Global& global) {
   auto options = std::make_shared<CheckOptions>();
-  CLI::App* verb = app.add_subcommand(
-      "check", "test that each mutation leaves the target invariant and that the methods agree");
-  verb->add_option("SCENE", options->scene, scene_help)->type_name("")->required();
-  add_dial_options(*verb, chain_dials, options->given);
-  verb->add_option_function<std::string>(
+  Command verb =
+      add_verb(app, "check",
+               "test that each mutation leaves the target invariant and that the methods agree");
+  verb.add_option("SCENE", options->scene, scene_help).type_name("").required();
+  add_dial_options(verb, chain_dials, options->given);
+  verb.add_option(
           "--samples",
           [options](const std::string& text) { options->samples = parse_samples(text); },
           "independent paths from which each mutation starts (default: 200k)")
-      ->type_name("N");
-  add_global_options(*verb, global);
-  verb->footer(
+      .type_name("N");
+  add_global_options(verb, global);
+  verb.footer(
       "\nEach mutation, and their mixture, starts from weighted independent paths and makes 1 and "
       "20\nsteps; films are compared bin by bin, those of images with 16 pixels along the longer "
       "side.\nExit code 4 when a test fails, and when none could be made; what could not be tested "
       "is\nlisted with the reason.\n\n"
       "Example:\n  wander check scene.json --samples 1M");
-  examine_with(*verb, global, [options, &global](Examination& examination) {
+  examine_with(verb, global, [options, &global](Examination& examination) {
     examine(*options, global, examination);
   });
-  verb->callback([options, &global] {
+  verb.callback([options, &global] {
     global.job = [options, &global] { return check_scene(*options, global); };
   });
 }

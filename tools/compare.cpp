@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -18,6 +17,7 @@
 #include "lab/parsing.h"
 #include "lab/reference_name.h"
 #include "lab/scene_source.h"
+#include "tools/command.h"
 #include "tools/compare_task.h"
 #include "tools/console.h"
 #include "tools/interruption.h"
@@ -250,36 +250,36 @@ Examples:
 )";
 
 // Those that say nothing are as usual, or as the comparison has them that is carried on.
-void add_options(CLI::App& verb, CompareOptions& options) {
+void add_options(Command verb, CompareOptions& options) {
   verb.add_option("SCENE", options.scene, std::string(scene_help) + "; of a new comparison")
-      ->type_name("");
+      .type_name("");
   verb.add_option("-m,--methods", options.methods, "as of render (default: bdpt,mlt)")
-      ->type_name("METHOD,...");
+      .type_name("METHOD,...");
   verb.add_option("-b,--budgets", options.budgets,
                   "how much each run computes (default: 0.25s,1s,4s)")
-      ->type_name("BUDGET,...");
-  verb.add_option_function<std::string>(
+      .type_name("BUDGET,...");
+  verb.add_option(
           "--replicates",
           [&options](const std::string& text) {
             options.replicates = parse_count("--replicates", text, 2, 10'000);
           },
           "runs of each contender at each budget (default: 8); of a comparison that is continued, "
           "in all (default: its own)")
-      ->type_name("R");
+      .type_name("R");
   verb.add_option("--reference", options.reference,
                   "what errors are measured against (default: auto)")
-      ->type_name("FILE|auto");
+      .type_name("FILE|auto");
   verb.add_option("--sweep", options.sweeps, "contenders at these values of a dial")
-      ->type_name("DIAL=V1,V2,...")
-      ->allow_extra_args(false);
+      .type_name("DIAL=V1,V2,...")
+      .one_value_each_time();
   verb.add_option("--dial", options.fixed, "turn a dial for all methods that have it")
-      ->type_name("DIAL=VALUE")
-      ->allow_extra_args(false);
-  verb.add_option_function<std::string>(
+      .type_name("DIAL=VALUE")
+      .one_value_each_time();
+  verb.add_option(
           "--target",
           [&options](const std::string& text) { options.target = parse_share("--target", text); },
           "the relative error to which times are told (default: a round one that the best reaches)")
-      ->type_name("E");
+      .type_name("E");
   verb.add_flag("--continue", options.is_continuation,
                 "carry on the comparison in DIR; SCENE and all that makes the runs are its own");
 }
@@ -289,16 +289,15 @@ void add_options(CLI::App& verb, CompareOptions& options) {
 void add_compare(CLI::App& app, Global& global) {
   auto options = std::make_shared<CompareOptions>();
   auto task = std::make_shared<std::optional<CompareTask>>();
-  CLI::App* verb =
-      app.add_subcommand("compare", "error against time and samples, method against method");
-  add_options(*verb, *options);
-  add_global_options(*verb, global);
-  verb->footer("\n" + dials_help() + details);
-  examine_with(*verb, global, [options, task, verb, &global](Examination& examination) {
-    if (verb->count("--seed") > 0) options->seed = global.seed;
+  Command verb = add_verb(app, "compare", "error against time and samples, method against method");
+  add_options(verb, *options);
+  add_global_options(verb, global);
+  verb.footer("\n" + dials_help() + details);
+  examine_with(verb, global, [options, task, verb, &global](Examination& examination) {
+    if (verb.count("--seed") > 0) options->seed = global.seed;
     *task = examine_compare(*options, global, examination);
   });
-  verb->callback([options, task, &global] {
+  verb.callback([options, task, &global] {
     global.job = [options, task, &global] {
       return compare_methods(*options, task->value(), global);
     };

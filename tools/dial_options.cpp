@@ -1,6 +1,6 @@
 #include "tools/dial_options.h"
 
-#include <CLI/CLI.hpp>
+#include "tools/command.h"
 
 namespace wander {
 
@@ -8,7 +8,7 @@ void DialOptions::require_for(const Method& method) const {
   for (const auto& [dial, text] : turned) require_dial(*dial, method);
 }
 
-void add_dial_options(CLI::App& verb, std::span<const std::string_view> words,
+void add_dial_options(Command verb, std::span<const std::string_view> words,
                       const std::shared_ptr<DialOptions>& options) {
   for (const std::string_view word : words) {
     const Dial& dial = find_dial(word);
@@ -17,15 +17,14 @@ void add_dial_options(CLI::App& verb, std::span<const std::string_view> words,
       options->turned.emplace_back(&dial, text);
     };
     if (dial.value.empty())
-      verb.add_flag_callback(
+      verb.add_flag(
           dial.option(), [turn] { turn("on"); }, dial.help);
     else
-      verb.add_option_function<std::string>(dial.option(), turn, dial.help)
-          ->type_name(std::string(dial.value));
+      verb.add_option(dial.option(), turn, dial.help).type_name(std::string(dial.value));
   }
 }
 
-void add_dial_options(CLI::App& verb, const std::shared_ptr<DialOptions>& options) {
+void add_dial_options(Command verb, const std::shared_ptr<DialOptions>& options) {
   std::vector<std::string_view> words;
   for (const Dial& dial : dials()) words.push_back(dial.word);
   add_dial_options(verb, words, options);

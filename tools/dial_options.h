@@ -10,11 +10,9 @@
 
 #include "lab/dials.h"
 
-namespace CLI {
-class App;
-}
-
 namespace wander {
+
+class Command;  // tools/command.h
 
 struct DialOptions {
   Dials dials;
@@ -25,10 +23,10 @@ struct DialOptions {
 };
 
 // The dials of these words.
-void add_dial_options(CLI::App& verb, std::span<const std::string_view> words,
+void add_dial_options(Command verb, std::span<const std::string_view> words,
                       const std::shared_ptr<DialOptions>& options);
 // All of them.
-void add_dial_options(CLI::App& verb, const std::shared_ptr<DialOptions>& options);
+void add_dial_options(Command verb, const std::shared_ptr<DialOptions>& options);
 
 // Those of the chains themselves, whatever becomes of their steps.
 inline constexpr std::string_view chain_dials[] = {"mutations", "max_vertices", "precision",

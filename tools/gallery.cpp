@@ -1,7 +1,6 @@
 // `wander gallery`: the scenes that come with the program.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -12,6 +11,7 @@
 
 #include "lab/scene_source.h"
 #include "records/atomic_file.h"
+#include "tools/command.h"
 #include "tools/console.h"
 #include "tools/output_place.h"
 #include "tools/verb.h"
@@ -116,14 +116,14 @@ ExitCode show_gallery(const std::string& name, const Global& global) {
 
 void add_gallery(CLI::App& app, Global& global) {
   auto name = std::make_shared<std::string>();
-  CLI::App* verb = app.add_subcommand("gallery", "list the scenes that come with the program");
-  verb->add_option("NAME", *name, "print this scene's file")->type_name("");
-  add_global_options(*verb, global);
-  verb->footer(
+  Command verb = add_verb(app, "gallery", "list the scenes that come with the program");
+  verb.add_option("NAME", *name, "print this scene's file").type_name("");
+  add_global_options(verb, global);
+  verb.footer(
       "\nExample:\n  wander gallery NAME -o scene.json\n\n"
       "Meshes that the scene names are written beside it, into meshes/.\n"
       "Verbs that take a SCENE also take gallery:NAME.");
-  verb->callback(
+  verb.callback(
       [name, &global] { global.job = [name, &global] { return show_gallery(*name, global); }; });
 }
 

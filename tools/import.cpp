@@ -3,7 +3,6 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cerrno>
 #include <filesystem>
 #include <memory>
@@ -12,6 +11,7 @@
 #include "lab/failure.h"
 #include "records/atomic_file.h"
 #include "scenes/import/import_mitsuba.h"
+#include "tools/command.h"
 #include "tools/console.h"
 #include "tools/output_place.h"
 #include "tools/verb.h"
@@ -154,22 +154,22 @@ Examples:
 
 void add_import(CLI::App& app, Global& global) {
   auto options = std::make_shared<ImportOptions>();
-  CLI::App* verb = app.add_subcommand("import", "make a scene file of a Mitsuba scene");
-  verb->add_option("FILE.xml", options->file, "a scene of Mitsuba, 3.x or 0.6")
-      ->type_name("")
-      ->required();
-  verb->add_flag("--approximate", options->approximate,
-                 "import the nearest thing where there is no exact one, and say so");
-  verb->add_option("-D,--define", options->definitions,
-                   "the value of a parameter $NAME of the scene")
-      ->type_name("NAME=VALUE")
-      ->allow_extra_args(false);
-  add_global_options(*verb, global);
-  verb->footer(details);
-  examine_with(*verb, global, [options, &global](Examination& examination) {
+  Command verb = add_verb(app, "import", "make a scene file of a Mitsuba scene");
+  verb.add_option("FILE.xml", options->file, "a scene of Mitsuba, 3.x or 0.6")
+      .type_name("")
+      .required();
+  verb.add_flag("--approximate", options->approximate,
+                "import the nearest thing where there is no exact one, and say so");
+  verb.add_option("-D,--define", options->definitions,
+                  "the value of a parameter $NAME of the scene")
+      .type_name("NAME=VALUE")
+      .one_value_each_time();
+  add_global_options(verb, global);
+  verb.footer(details);
+  examine_with(verb, global, [options, &global](Examination& examination) {
     examine(*options, global, examination);
   });
-  verb->callback([options, &global] {
+  verb.callback([options, &global] {
     global.job = [options, &global] { return import_scene(*options, global); };
   });
 }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "records/run_json.h"
 #include "records/trajectory_netcdf.h"
 #include "statistics/number_text.h"
+#include "tools/command.h"
 #include "tools/console.h"
 #include "tools/inspection.h"
 #include "tools/verb.h"
@@ -104,23 +104,23 @@ ExitCode inspect(const InspectOptions& options, const Global& global) {
 
 void add_inspect(CLI::App& app, Global& global) {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* verb = app.add_subcommand(
-      "inspect", "say what a scene requires, or what a run, trajectory or comparison holds");
-  verb->add_option("FILE", options->file,
-                   "a scene file, gallery:NAME, - (a scene from standard input), a run.json or "
-                   "compare.json, its directory, a film.exr or film.nc, or a "
-                   "trajectory")
-      ->type_name("")
-      ->required();
-  verb->add_option("--reference", options->reference, "hold the run against this one")
-      ->type_name("RUN");
-  add_global_options(*verb, global);
-  verb->footer(
+  Command verb = add_verb(
+      app, "inspect", "say what a scene requires, or what a run, trajectory or comparison holds");
+  verb.add_option("FILE", options->file,
+                  "a scene file, gallery:NAME, - (a scene from standard input), a run.json or "
+                  "compare.json, its directory, a film.exr or film.nc, or a "
+                  "trajectory")
+      .type_name("")
+      .required();
+  verb.add_option("--reference", options->reference, "hold the run against this one")
+      .type_name("RUN");
+  add_global_options(verb, global);
+  verb.footer(
       "\nExamples:\n  wander inspect scene.json --json\n"
       "  wander inspect run --reference reference/run.json\n"
       "  wander inspect chains.nc\n"
       "  wander inspect comparison");
-  verb->callback([options, &global] {
+  verb.callback([options, &global] {
     global.job = [options, &global] { return inspect(*options, global); };
   });
 }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -14,6 +13,7 @@
 #include "lab/scene_source.h"
 #include "records/run_files.h"
 #include "records/run_json.h"
+#include "tools/command.h"
 #include "tools/console.h"
 #include "tools/output_place.h"
 #include "tools/summary.h"
@@ -98,16 +98,15 @@ Examples:
 
 void add_merge(CLI::App& app, Global& global) {
   auto task = std::make_shared<MergeTask>();
-  CLI::App* verb =
-      app.add_subcommand("merge", "pool runs of one scene and method with different seeds");
-  verb->add_option("DIR", task->directories, "directories of runs, as `wander render` makes them")
-      ->type_name("")
-      ->required();
-  add_global_options(*verb, global);
-  verb->footer(details);
-  examine_with(*verb, global,
+  Command verb = add_verb(app, "merge", "pool runs of one scene and method with different seeds");
+  verb.add_option("DIR", task->directories, "directories of runs, as `wander render` makes them")
+      .type_name("")
+      .required();
+  add_global_options(verb, global);
+  verb.footer(details);
+  examine_with(verb, global,
                [task, &global](Examination& examination) { examine(*task, global, examination); });
-  verb->callback(
+  verb.callback(
       [task, &global] { global.job = [task, &global] { return merge_runs(*task, global); }; });
 }
 

@@ -1,7 +1,6 @@
 // `wander plot`: a scene, films, a comparison, a trajectory or the light in a scene as a figure.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -17,6 +16,7 @@
 #include "lab/parsing.h"
 #include "lab/scene_source.h"
 #include "records/trajectory_netcdf.h"
+#include "tools/command.h"
 #include "tools/console.h"
 #include "tools/figure_file.h"
 #include "tools/output_place.h"
@@ -190,84 +190,84 @@ DrawRange parse_draws(std::string_view text) {
   return {static_cast<int>(std::min(first, most)), static_cast<int>(std::min(end, most))};
 }
 
-void add_film_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& options) {
+void add_film_options(Command verb, const std::shared_ptr<PlotOptions>& options) {
   verb.add_option("--reference", options->reference,
                   "draw this run into every film as a thin line; hold every image against it")
-      ->type_name("RUN");
-  verb.add_option_function<std::string>(
+      .type_name("RUN");
+  verb.add_option(
           "--layout", [options](const std::string& text) { options->layout = parse_layout(text); },
           "how several films share the figure: overlay, panels, or auto (the default: two films "
           "are overlaid where both can be followed, all others have panels)")
-      ->type_name("HOW");
-  verb.add_flag_callback(
+      .type_name("HOW");
+  verb.add_flag(
       "--log-y", [options] { options->values = figure::Spacing::logarithmic; },
       "of films: a logarithmic axis of values (that of errors always is)");
-  verb.add_option_function<std::string>(
+  verb.add_option(
           "--exposure",
           [options](const std::string& text) { options->exposure = parse_exposure(text); },
           "of images, in stops: +1 is twice as bright (default: 0, with which 99 % of the pixels "
           "that have light are not above white)")
-      ->type_name("EV");
+      .type_name("EV");
 }
 
-void add_page_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& options) {
-  verb.add_option_function<std::string>(
+void add_page_options(Command verb, const std::shared_ptr<PlotOptions>& options) {
+  verb.add_option(
           "--width",
           [options](const std::string& text) { options->width = parse_figure_width(text); },
           "how wide the figure is on the page, in mm, cm, in, pt or px, such as 84mm for a column; "
           "it is laid out for that width, and its words keep their size")
-      ->type_name("LENGTH");
-  verb.add_option_function<std::string>(
+      .type_name("LENGTH");
+  verb.add_option(
           "--dpi",
           [options](const std::string& text) { options->dpi = parse_resolution("--dpi", text); },
           "of FILE.png: pixels to the inch (default: 300)")
-      ->type_name("N");
+      .type_name("N");
 }
 
-void add_trajectory_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& options) {
-  verb.add_option_function<std::string>(
+void add_trajectory_options(Command verb, const std::shared_ptr<PlotOptions>& options) {
+  verb.add_option(
           "--figure",
           [options](const std::string& text) { options->trajectory.figure = parse_figure(text); },
           "of a trajectory: paths, trace, acceptance, autocorrelation, density, or all (the "
           "default)")
-      ->type_name("WHICH");
-  verb.add_option_function<std::string>(
+      .type_name("WHICH");
+  verb.add_option(
           "--draws",
           [options](const std::string& text) { options->trajectory.draws = parse_draws(text); },
           "only the draws from A up to, not including, B")
-      ->type_name("A:B");
-  verb.add_option_function<std::string>(
+      .type_name("A:B");
+  verb.add_option(
           "--chain",
           [options](const std::string& text) {
             options->trajectory.chain =
                 static_cast<int>(parse_count("--chain", text, 0, std::numeric_limits<int>::max()));
           },
           "only this chain (the paths are of the first one)")
-      ->type_name("K");
+      .type_name("K");
   verb.add_option("--mutation", options->trajectory.mutation,
                   "paths, acceptance and density: only steps of this mutation")
-      ->type_name("NAME");
+      .type_name("NAME");
   verb.add_option("--class", options->trajectory.path_class,
                   "the same: only steps from or to paths of this class, such as LDSE")
-      ->type_name("CLASS");
+      .type_name("CLASS");
 }
 
-void add_fluence_options(CLI::App& verb, const std::shared_ptr<PlotOptions>& options) {
+void add_fluence_options(Command verb, const std::shared_ptr<PlotOptions>& options) {
   verb.add_flag("--fluence", options->fluence.wanted,
                 "of a scene: the light in the space between the surfaces, as a figure or FILE.exr");
-  verb.add_option_function<std::string>(
+  verb.add_option(
           "-b,--budget",
           [options](const std::string& text) { options->fluence.budget = parse_budget(text); },
           "how much to compute for it: walks of light (2M) or seconds (30s, 30cpu-s; default: 5s)")
-      ->type_name("BUDGET");
-  verb.add_option_function<std::string>(
+      .type_name("BUDGET");
+  verb.add_option(
           "--resolution",
           [options](const std::string& text) {
             options->fluence.resolution =
                 static_cast<int>(parse_count("--resolution", text, 1, 1 << 16));
           },
           "cells across its picture (default: 256)")
-      ->type_name("W");
+      .type_name("W");
 }
 
 constexpr const char* details = R"(
@@ -302,26 +302,25 @@ Examples:
 
 void add_plot(CLI::App& app, Global& global) {
   auto options = std::make_shared<PlotOptions>();
-  CLI::App* verb = app.add_subcommand(
-      "plot", "draw a scene, films, a comparison, a trajectory or light as a figure");
-  verb->add_option("FILE", options->files,
-                   "a scene file, gallery:NAME, - (a scene from standard input), runs (directory, "
-                   "run.json, film.exr or film.nc), a "
-                   "comparison (directory or compare.json), or a trajectory (FILE.nc)")
-      ->required();
-  verb->add_option("--title", options->title, "instead of the name of the scene")
-      ->type_name("TEXT");
-  add_page_options(*verb, options);
-  add_film_options(*verb, options);
-  add_trajectory_options(*verb, options);
-  add_fluence_options(*verb, options);
-  add_global_options(*verb, global);
-  verb->footer(details);
+  Command verb =
+      add_verb(app, "plot", "draw a scene, films, a comparison, a trajectory or light as a figure");
+  verb.add_option("FILE", options->files,
+                  "a scene file, gallery:NAME, - (a scene from standard input), runs (directory, "
+                  "run.json, film.exr or film.nc), a "
+                  "comparison (directory or compare.json), or a trajectory (FILE.nc)")
+      .required();
+  verb.add_option("--title", options->title, "instead of the name of the scene").type_name("TEXT");
+  add_page_options(verb, options);
+  add_film_options(verb, options);
+  add_trajectory_options(verb, options);
+  add_fluence_options(verb, options);
+  add_global_options(verb, global);
+  verb.footer(details);
   auto figure = std::make_shared<Figure>();
-  examine_with(*verb, global, [options, figure, &global](Examination& examination) {
+  examine_with(verb, global, [options, figure, &global](Examination& examination) {
     examine(*options, global, *figure, examination);
   });
-  verb->callback([options, figure, &global] {
+  verb.callback([options, figure, &global] {
     global.job = [options, figure, &global] { return plot(*options, global, *figure); };
   });
 }

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -15,6 +14,7 @@
 #include "lab/scene_source.h"
 #include "records/run_files.h"
 #include "records/run_json.h"
+#include "tools/command.h"
 #include "tools/console.h"
 #include "tools/interruption.h"
 #include "tools/output_place.h"
@@ -143,15 +143,15 @@ Examples:
 void add_render(CLI::App& app, Global& global) {
   auto options = std::make_shared<RenderOptions>();
   auto task = std::make_shared<std::optional<RenderTask>>();
-  CLI::App* verb = app.add_subcommand("render", "estimate the film of a scene with one method");
-  verb->add_option("SCENE", options->scene, std::string(scene_help) + "; of a new run")
-      ->type_name("");
-  verb->add_option_function<std::string>(
+  Command verb = add_verb(app, "render", "estimate the film of a scene with one method");
+  verb.add_option("SCENE", options->scene, std::string(scene_help) + "; of a new run")
+      .type_name("");
+  verb.add_option(
           "-m,--method",
           [options](const std::string& text) { options->method = &find_method(text); },
           "how to estimate, of a new run: see below")
-      ->type_name("METHOD");
-  verb->add_option_function<std::string>(
+      .type_name("METHOD");
+  verb.add_option(
           "-b,--budget",
           [options](const std::string& text) {
             parse_budget(text);
@@ -159,10 +159,10 @@ void add_render(CLI::App& app, Global& global) {
           },
           "how much to compute (default: 5s); of a run that is continued, in all (default: its "
           "own)")
-      ->type_name("BUDGET");
-  verb->add_flag("--continue", options->is_continuation,
-                 "carry on the run in DIR; SCENE, method and dials are those of the run");
-  verb->add_option_function<std::string>(
+      .type_name("BUDGET");
+  verb.add_flag("--continue", options->is_continuation,
+                "carry on the run in DIR; SCENE, method and dials are those of the run");
+  verb.add_option(
           "--checkpoint",
           [options](const std::string& text) {
             options->checkpoint = parse_checkpoint_interval(text);
@@ -170,22 +170,22 @@ void add_render(CLI::App& app, Global& global) {
           "keep the run so often, so that it can be continued whatever happens (default: 60 in "
           "runs "
           "longer than two minutes); 0: never, nor at its end")
-      ->type_name("SECONDS");
-  verb->add_option_function<std::string>(
+      .type_name("SECONDS");
+  verb.add_option(
           "--exposure",
           [options](const std::string& text) { options->exposure = parse_exposure(text); },
           "of film.png, in stops: +1 is twice as bright (default: 0, with which 99 % of the pixels "
           "that have light are not above white)")
-      ->type_name("EV");
-  add_dial_options(*verb, options->given);
-  add_global_options(*verb, global);
-  verb->footer("\n" + methods_help() + details);
-  examine_with(*verb, global, [options, task, verb, &global](Examination& examination) {
-    if (verb->count("--seed") > 0) options->seed = global.seed;
-    options->names_method = verb->count("--method") > 0;
+      .type_name("EV");
+  add_dial_options(verb, options->given);
+  add_global_options(verb, global);
+  verb.footer("\n" + methods_help() + details);
+  examine_with(verb, global, [options, task, verb, &global](Examination& examination) {
+    if (verb.count("--seed") > 0) options->seed = global.seed;
+    options->names_method = verb.count("--method") > 0;
     *task = examine_render(*options, global, examination);
   });
-  verb->callback([options, task, &global] {
+  verb.callback([options, task, &global] {
     global.job = [options, task, &global] { return render_scene(*options, task->value(), global); };
   });
 }

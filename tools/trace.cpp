@@ -3,7 +3,6 @@
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -19,6 +18,7 @@
 #include "records/atomic_file.h"
 #include "records/trajectory_csv.h"
 #include "records/trajectory_netcdf.h"
+#include "tools/command.h"
 #include "tools/console.h"
 #include "tools/dial_options.h"
 #include "tools/examined_job.h"
@@ -211,12 +211,10 @@ Examples:
   wander trace scene.json --replay 0:17
 )";
 
-void add_trace_options(CLI::App& verb, const std::shared_ptr<TraceOptions>& options) {
+void add_trace_options(Command verb, const std::shared_ptr<TraceOptions>& options) {
   const auto option = [&](const char* name, const char* type, const std::string& help,
-                          auto&& parse) {
-    verb.add_option_function<std::string>(name, parse, help)->type_name(type);
-  };
-  verb.add_option("SCENE", options->scene, scene_help)->type_name("")->required();
+                          auto&& parse) { verb.add_option(name, parse, help).type_name(type); };
+  verb.add_option("SCENE", options->scene, scene_help).type_name("").required();
   option("-m,--method", "METHOD",
          fmt::format("{} (default: {})", in_words(traced_methods(), "or"), options->method->name),
          [options](const std::string& text) { options->method = &find_method(text); });
@@ -243,14 +241,14 @@ void add_trace_options(CLI::App& verb, const std::shared_ptr<TraceOptions>& opti
 
 void add_trace(CLI::App& app, Global& global) {
   auto options = std::make_shared<TraceOptions>();
-  CLI::App* verb = app.add_subcommand("trace", "run Markov chains and record every mutation");
-  add_trace_options(*verb, options);
-  add_global_options(*verb, global);
-  verb->footer(details);
-  examine_with(*verb, global, [options, &global](Examination& examination) {
+  Command verb = add_verb(app, "trace", "run Markov chains and record every mutation");
+  add_trace_options(verb, options);
+  add_global_options(verb, global);
+  verb.footer(details);
+  examine_with(verb, global, [options, &global](Examination& examination) {
     examine(*options, global, examination);
   });
-  verb->callback([options, &global] {
+  verb.callback([options, &global] {
     global.job = [options, &global] { return trace_scene(*options, global); };
   });
 }

@@ -6,11 +6,10 @@
 //
 //   void add_greet(CLI::App& app, Global& global) {
 //     auto name = std::make_shared<std::string>();
-//     CLI::App* verb = app.add_subcommand("greet", "say hello");
-//     verb->add_option("NAME", *name, "whom")->required();
-//     add_global_options(*verb, global);
-//     verb->callback([&global, name] { global.job = [=, &global] { return greet(global, *name); };
-//     });
+//     Command verb = add_verb(app, "greet", "say hello");
+//     verb.add_option("NAME", *name, "whom").required();
+//     add_global_options(verb, global);
+//     verb.callback([&global, name] { global.job = [=, &global] { return greet(global, *name); }; });
 //   }
 #pragma once
 
@@ -29,6 +28,8 @@ class App;
 }
 
 namespace wander {
+
+class Command;  // tools/command.h
 
 inline constexpr std::array<std::string_view, 4> progress_words{"auto", "bar", "json", "none"};
 enum class ProgressMode { automatic, bar, json, none };
@@ -49,8 +50,8 @@ struct Global {
   std::function<ExitCode()> job;  // what the chosen verb does, once it passed
 };
 
-void add_global_options(CLI::App& verb, Global& global);
-void examine_with(CLI::App& verb, Global& global, std::function<void(Examination&)> examine);
+void add_global_options(Command verb, Global& global);
+void examine_with(Command verb, Global& global, std::function<void(Examination&)> examine);
 
 void add_render(CLI::App& app, Global& global);
 void add_trace(CLI::App& app, Global& global);

@@ -15,11 +15,11 @@ namespace {
 constexpr FilmLayout small{},
     large{.most_small = 4, .by_length = Keep::always, .maps = Keep::always};
 
-// 64 groups make 4096 steps each.
+// 64 groups make 2048 steps each.
 Rendering rendered(const char* method, const FilmLayout& film, NormalizationMethod b,
                    int threads = 2, FilmParts parts = FilmParts::chains) {
   Session session;
-  session.budget = SampleBudget{64 * 4096};
+  session.budget = SampleBudget{64 * 2048};
   session.threads = threads;
   const Dials dials{.chains = {.film_parts = parts, .normalization = b}, .film = film};
   return render({diffuse_room(), find_method(method), dials}, session);

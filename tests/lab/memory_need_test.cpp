@@ -32,7 +32,7 @@ class MemoryOfRuns : public CommandLine {
     if (child == 0) {
       fs::current_path(folder);
       const std::string line = std::string("exec '") + WANDER_PROGRAM + "' render film.json -m " +
-                               c.method + " -b 200k -q -t 2 -o run --force " + c.options;
+                               c.method + " -b 50k -q -t 2 -o run --force " + c.options;
       execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
       _exit(127);
     }

@@ -134,8 +134,8 @@ const NormalizationEstimate& seed_pass_of(const Rendering& run) {
 // are spread.
 TEST(MergedChains, HaveTheFilmOfAllGroupsByTheirSizes) {
   const Job job = chains_job();
-  const std::vector<Kept> runs{kept_run(job, 1, 20'000), kept_run(job, 2, 60'000),
-                               kept_run(job, 3, 200'000)};
+  const std::vector<Kept> runs{kept_run(job, 1, 5'000), kept_run(job, 2, 15'000),
+                               kept_run(job, 3, 50'000)};
   const Rendering all = merged(job, runs);
   const std::size_t bins = all.film.value.size();
   std::vector<double> light(bins);
@@ -156,7 +156,7 @@ TEST(MergedChains, HaveTheFilmOfAllGroupsByTheirSizes) {
     expect_close(all.film.value[j], all.normalization->value * light[j] / mass, 1e-12);
   EXPECT_EQ(all.normalization->method, "bridge");
   EXPECT_EQ(all.groups, 3 * 64);
-  EXPECT_EQ(all.samples, 280'000u);
+  EXPECT_EQ(all.samples, 70'000u);
 }
 
 TEST(MergedChains, ScaledToTheSeedPassHaveTheMeanOfTheirFilms) {
@@ -182,7 +182,7 @@ TEST(MergedChains, ScaledToTheSeedPassHaveTheMeanOfTheirFilms) {
 // Of runs that are alike in size, each pooled by a border of its own.
 TEST(MergedChains, OfPooledFilmsHaveTheMeanOfThem) {
   const Job job = chains_job(NormalizationMethod::bridge, FilmParts::pooled);
-  const std::vector<Kept> runs{kept_run(job, 1, 300'000), kept_run(job, 2, 300'000)};
+  const std::vector<Kept> runs{kept_run(job, 1, 60'000), kept_run(job, 2, 60'000)};
   ASSERT_NE(runs[0].found.pooling->how.partition.c, runs[1].found.pooling->how.partition.c);
   ASSERT_EQ(runs[0].found.pooling->samples, runs[1].found.pooling->samples);
   const Rendering all = merged(job, runs);
@@ -201,7 +201,7 @@ TEST(MergedChains, OfPooledFilmsHaveTheMeanOfThem) {
 
 TEST(MergedChains, CountWhatAllMutationsDid) {
   const Job job = chains_job();
-  const std::vector<Kept> runs{kept_run(job, 1, 50'000), kept_run(job, 2, 70'000)};
+  const std::vector<Kept> runs{kept_run(job, 1, 15'000), kept_run(job, 2, 20'000)};
   const Rendering all = merged(job, runs);
   for (const MutationRecord& mutation : all.mutations) {
     std::uint64_t proposed = 0, accepted = 0, longest = 0;
@@ -251,8 +251,8 @@ bool says(const Rendering& rendering, const std::string& text) {
 // Draws that all chains have would be few.
 TEST(MergedChains, ThatAreFarShorterTakeNoPartInDiagnostics) {
   const Job job = chains_job();
-  const Kept longer = kept_run(job, 1, 400'000), other = kept_run(job, 3, 300'000);
-  const Rendering all = merged(job, {longer, kept_run(job, 2, 20'000), other});
+  const Kept longer = kept_run(job, 1, 120'000), other = kept_run(job, 3, 90'000);
+  const Rendering all = merged(job, {longer, kept_run(job, 2, 6'000), other});
   EXPECT_TRUE(says(all, "are of 128 of 192 chains"));
   const Rendering alone = merged(job, {longer, other});
   EXPECT_FALSE(says(alone, " of 192 chains"));
