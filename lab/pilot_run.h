@@ -67,7 +67,7 @@ Pilot make_pilot(Groups& trial, const Run& run, double steps_per_chain) {
   constexpr std::uint64_t samples_per_round = 1 << 11, enough = 1 << 13, most = 1 << 15,
                           steps_per_round = 1 << 11;
   // Of a budget of time.
-  constexpr double share_of_samples = 0.025, share_of_early = 0.03125, share_of_all = 0.05;
+  constexpr double share_of_samples = 0.05, share_of_early = 0.07, share_of_all = 0.1;
   const PilotBudget budget(run);
   Pilot pilot;
   for (std::uint64_t made = 0; made < most && !budget.is_over(share_of_samples);) {

@@ -133,7 +133,9 @@ double unvisited(const Pilot& pilot, Partition side) {
 Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain) {
   Pilot pilot = late;
   pilot.steps_per_chain = std::max(steps_per_chain, usual_steps_per_draw);
-  const double so_far = std::log(late.steps_per_chain / early.steps_per_chain);
+  // Of a budget of time there may have been none for an early pilot.
+  const bool has_grown = !early.borders.empty() && late.steps_per_chain > early.steps_per_chain;
+  const double so_far = has_grown ? std::log(late.steps_per_chain / early.steps_per_chain) : 0;
   const double to_come = std::log(std::max(1.0, steps_per_chain / late.steps_per_chain));
   double not_seen = 0;  // beyond this border or another after it
   for (std::size_t k = pilot.borders.size(); k-- > 0;) {
@@ -141,7 +143,7 @@ Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain
     for (double Pilot::Border::*which :
          {&Pilot::Border::steps_per_draw, &Pilot::Border::steps_per_draw_of_total}) {
       double& tau = border.*which;
-      const double power = so_far > 0 ? std::log(tau / early.borders[k].*which) / so_far : 0;
+      const double power = has_grown ? std::log(tau / early.borders[k].*which) / so_far : 0;
       tau = std::min(tau * std::exp(above_noise(power) * to_come), pilot.steps_per_chain);
     }
     not_seen = std::max(not_seen, unvisited(late, {border.c}));

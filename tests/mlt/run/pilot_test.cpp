@@ -107,6 +107,15 @@ TEST(Pilots, ExpectOfChainsThatDoNotMixThatTheyGoOnSo) {
   EXPECT_DOUBLE_EQ(extrapolated(early, after(500, 20, 200), 32'000).borders[1].steps_per_draw, 200);
 }
 
+TEST(Pilots, ExpectNoGrowthWhereThereWasNoTimeToSeeIt) {
+  for (const Pilot& early : {Pilot{}, after(2000, 10, 20)}) {
+    const Pilot run = extrapolated(early, after(2000, 20, 200), 32'000);
+    EXPECT_DOUBLE_EQ(run.borders[0].steps_per_draw, 20);
+    EXPECT_DOUBLE_EQ(run.borders[1].steps_per_draw, 200);
+  }
+  EXPECT_TRUE(extrapolated(Pilot{}, Pilot{}, 32'000).borders.empty());
+}
+
 // Nearly all of what samples found lies beyond both borders; of the states of the chains less does.
 TEST(Pilots, ExpectNothingOfChainsThatHaveNotComeToTheHardLight) {
   const auto unvisited = [](double hard_states) {
