@@ -167,10 +167,17 @@ class ChainGroups {
     }
   }
 
+  // No more than samples have room for in their lists.
+  std::uint64_t steps_of_turn() const {
+    const std::uint64_t most = SharedFilms::steps_per_turn * active();
+    const double samples = static_cast<double>(samples_per_turn * count());
+    if (!(samples_per_step_ * static_cast<double>(most) > samples)) return most;
+    return std::max(active(), static_cast<std::uint64_t>(samples / samples_per_step_));
+  }
   // The groups of a film take turns in their order, on one thread.
   void advance_in_turns_to(std::uint64_t target) {
     while (steps_ < target) {
-      const std::uint64_t turn = std::min(target - steps_, SharedFilms::steps_per_turn * active());
+      const std::uint64_t turn = std::min(target - steps_, steps_of_turn());
       run_parallel(run_, shared_->count(), [&](int film) {
         for (int g = film; g < shared_->groups(); g += shared_->count())
           advance_to(steps_ + turn, g);
