@@ -231,6 +231,7 @@ class ChainRun final : public LiveRun {
   void make_groups(int groups, int chains_of_each) {
     settings_.groups = groups;
     settings_.chains_per_group = chains_made_ = chains_of_each;
+    groups_.reset();  // not the memory of both
     groups_ = make_(settings_, run_.session().seed, kernel());
   }
 

@@ -53,7 +53,7 @@ TEST(LineUp, ASettingThatIsTheBasePointIsMadeOnceAndRecognised) {
   EXPECT_EQ(
       labels(line_up("mlt", {}, {"large_step=0.05,0.30", "kernel=auto,2"})),
       (Words{"mlt large_step=0.30 kernel=auto (default)", "mlt large_step=0.05", "mlt kernel=2"}));
-  EXPECT_EQ(labels(line_up("mlt", {"kernel=2"}, {"kernel=auto,2"})),
+  EXPECT_EQ(labels(line_up("mlt", {"kernel=2"}, {"kernel=1,2"})),
             (Words{"mlt kernel=2 (base)", "mlt kernel=1"}));
   EXPECT_EQ(labels(line_up("pssmlt,mmlt", {}, {"estimator=expected"})),
             (Words{"pssmlt", "pssmlt estimator=expected", "mmlt estimator=expected (default)"}));
