@@ -26,6 +26,8 @@ class PathSampler {
         longest_(space.max_vertices()),
         light_(longest_),
         sensor_(longest_),
+        light_end_(longest_),
+        sensor_end_(longest_),
         joined_(longest_) {
     light_.resize(longest_);
     sensor_.resize(longest_);
@@ -43,9 +45,10 @@ class PathSampler {
     for (int t = std::max(2, set_.fewest_sensor); t <= sensor_count_; ++t) hit_light(t, sink);
     for (int s = std::max(2, set_.fewest_light); s <= light_count_; ++s) hit_sensor(s, sink);
     for (int t = 1; t <= sensor_count_; ++t) {
+      if (!space_.can_connect(sensor_[sensor_index(t)])) continue;
       const int most = std::min(light_count_, longest_ - t);
       for (int s = 1; s <= most; ++s)
-        if (set_.holds(s, t)) connect(s, t, random, sink);
+        if (set_.holds(s, t) && space_.can_connect(light_[s - 1])) connect(s, t, random, sink);
     }
   }
 
@@ -113,23 +116,24 @@ class PathSampler {
   // independent.
   template <class Random, class Sink>
   void connect(int s, int t, Random& random, Sink&& sink) {
-    if (!space_.can_connect(light_[s - 1]) || !space_.can_connect(sensor_[sensor_index(t)])) return;
-    joined_.resize(s + t);
-    joined_[s - 1] = light_[s - 1];
-    joined_[s] = sensor_[sensor_index(t)];
+    const int of_light = s - 1, of_sensor = sensor_index(t);
     if (s == 1 && t > 1) {
       seek(random, {Subpath::light_end, t});
-      space_.begin_light(joined_, 0, random);
+      space_.begin_light(light_end_, 0, random);
     }
     if (t == 1 && s > 1) {
       seek(random, {Subpath::sensor_end, s});
-      space_.begin_sensor(joined_, s, random);
+      space_.begin_sensor(sensor_end_, of_sensor, random);
     }
-    if (s > 1) joined_[s - 2] = light_[s - 2];
-    if (!space_.may_connect(joined_, s - 1)) return;
+    const Path<W>& light = s == 1 && t > 1 ? light_end_ : light_;
+    const Path<W>& sensor = t == 1 && s > 1 ? sensor_end_ : sensor_;
+    if (!space_.may_connect(light, of_light, sensor, of_sensor)) return;
+    joined_.resize(s + t);
+    joined_[s - 1] = light[of_light];
+    joined_[s] = sensor[of_sensor];
     ++rays_;
     if (space_.connect(joined_, s - 1) != Connection::open) return;
-    joined_.copy(light_, 0, std::max(s - 2, 0), 0);
+    joined_.copy(light_, 0, s - 1, 0);
     joined_.copy(sensor_, sensor_index(t - 1), t - 1, s + 1);
     space_.evaluate(joined_, s - 1);
     space_.evaluate(joined_, s);
@@ -145,7 +149,7 @@ class PathSampler {
   TechniqueSet set_;
   Heuristic heuristic_;
   int longest_;
-  Path<W> light_, sensor_, joined_;
+  Path<W> light_, sensor_, light_end_, sensor_end_, joined_;
   int light_count_ = 0, sensor_count_ = 0;
   std::uint64_t rays_ = 0;
 };

@@ -27,7 +27,7 @@ concept PathSpace = requires(const S& space, Path<typename S::Universe>& y,
   { space.survival(v) } -> std::convertible_to<double>;
   { space.albedo(v) } -> std::convertible_to<double>;
   { space.with(Roulette::by_albedo) } -> std::convertible_to<S>;
-  { space.may_connect(x, i) } -> std::same_as<bool>;
+  { space.may_connect(x, i, x, i) } -> std::same_as<bool>;
   { space.connect(y, i) } -> std::same_as<Connection>;
   space.evaluate(y, i);
   { space.can_connect(v) } -> std::same_as<bool>;

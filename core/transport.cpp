@@ -199,10 +199,10 @@ bool Transport<W>::passes(const Vertex<W>& v, Direction way, Direction known) co
 }
 
 template <World W>
-bool Transport<W>::may_connect(const Path<W>& x, int i) const {
-  const Direction way = x[i + 1].place.position - x[i].place.position;
+bool Transport<W>::may_connect(const Path<W>& x, int i, const Path<W>& z, int j) const {
+  const Direction way = z[j].place.position - x[i].place.position;
   const Direction light = i > 0 ? -x[i - 1].place.to_sensor : Direction{};
-  return passes(x[i], way, light) && passes(x[i + 1], -way, x[i + 1].place.to_sensor);
+  return passes(x[i], way, light) && passes(z[j], -way, z[j].place.to_sensor);
 }
 
 template <World W>
@@ -212,17 +212,19 @@ Connection Transport<W>::connect(Path<W>& x, int i) const {
   const bool same_element = a.place.element() == b.place.element() && a.place.shape != no_shape;
   if (same_element && scene_->surface(a.place.shape).is_flat) return Connection::facing_away;
   const Direction offset = b.place.position - a.place.position;
-  const Length distance = glm::length(offset);
-  if (!(distance > 0)) return Connection::facing_away;
-  a.place.to_sensor = offset / distance;
-  a.geometry = geometry(a, b, a.place.to_sensor, distance);
-  if (!(a.geometry > 0)) return Connection::facing_away;
+  const Length squared = glm::dot(offset, offset);
+  if (!(squared > 0)) return Connection::facing_away;
   const Ray<W> ray{.origin = a.place.position,
                    .direction = offset,
                    .from = a.place.element(),
                    .to = b.place.element(),
                    .limit = 1};
-  return scene_->occluded(ray) ? Connection::occluded : Connection::open;
+  // Before the roots and quotients below: of most connections nothing else is asked.
+  if (scene_->occluded(ray)) return Connection::occluded;
+  const Length distance = std::sqrt(squared);
+  a.place.to_sensor = offset / distance;
+  a.geometry = geometry(a, b, a.place.to_sensor, distance);
+  return a.geometry > 0 ? Connection::open : Connection::facing_away;
 }
 
 // Lambertian emission: radiance L on the normal's side, directions sampled ∝ cos: p⊥ = 1/c.

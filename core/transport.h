@@ -103,9 +103,10 @@ class Transport {
     return is_camera(v) && scene_->camera()->is_pinhole();
   }
 
-  // May an edge between x_i and x_{i+1} carry light, whose other neighbours are known?  False: at one
-  // of them it comes and goes on different sides, or leaves the film.  No ray is asked.
-  bool may_connect(const Path<W>& x, int i) const;
+  // May an edge carry light between x_i, the end of a subpath from the light, and z_j, the end of one
+  // from the sensor?  False: at one of them it comes and goes on different sides, or leaves the film.
+  // No ray is asked.
+  bool may_connect(const Path<W>& x, int i, const Path<W>& z, int j) const;
   // Writes the edge between x_i and x_{i+1}.
   Connection connect(Path<W>& x, int i) const;
 

@@ -59,12 +59,9 @@ class AdaptationBudget {
 
   // Of all chains of one factor together; 0: the budget is too small.
   std::uint64_t steps() const {
-    constexpr double share = 1. / 128, steps_per_second = 1e6, fewest = 1 << 12, most = 1 << 15;
-    double steps = most;
-    if (const auto* samples = std::get_if<SampleBudget>(&run_.session().budget))
-      steps = share * static_cast<double>(samples->samples);
-    else if (const auto* time = std::get_if<TimeBudget>(&run_.session().budget))
-      steps = share * steps_per_second * time->seconds;
+    constexpr double share = 1. / 128, fewest = 1 << 12, most = 1 << 15;
+    const auto expected = expected_steps(run_);
+    const double steps = expected ? share * *expected : most;
     return steps < fewest ? 0 : static_cast<std::uint64_t>(std::min(steps, most));
   }
   bool is_over() const {

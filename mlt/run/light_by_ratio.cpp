@@ -30,6 +30,26 @@ Shares light_above(const RatioHistogram& ratios, int first, int last, Light&& li
   return above;
 }
 
+// Of all chains with steps but, at each bin, the one of which most is above.
+Shares states_above(std::span<const RatioHistogram> chains, int first, int last) {
+  Shares above{first, std::vector<double>(static_cast<std::size_t>(last - first) + 1)};
+  std::vector<double> most(above.of.size());
+  int count = 0;
+  for (const RatioHistogram& chain : chains) {
+    if (!(chain.count() > 0)) continue;
+    ++count;
+    const Shares one = light_above(chain, first, last, [](const auto& bin) { return bin.count; });
+    for (std::size_t k = 0; k < one.of.size(); ++k) {
+      above.of[k] += one.of[k];
+      most[k] = std::max(most[k], one.of[k]);
+    }
+  }
+  if (count < 2) return above;
+  for (std::size_t k = 0; k < above.of.size(); ++k)
+    above.of[k] = (above.of[k] - most[k]) / (count - 1);
+  return above;
+}
+
 // The last bin where S is no less.
 int reach(const Shares& above, double share) {
   const auto beyond = std::ranges::partition_point(above.of, [&](double s) { return s >= share; });
@@ -55,26 +75,24 @@ void add_tail(Shares& above) {
 }
 
 // l of a bin: the mean of what is in it, or its middle.
-double ratio_of(int bin, const RatioHistogram& found, const RatioHistogram& states) {
-  const double count = found[bin].count + states[bin].count;
-  return count > 0 ? (found[bin].sum + states[bin].sum) / count : RatioHistogram::middle(bin);
+double ratio_of(int bin, const RatioHistogram& all) {
+  return all[bin].count > 0 ? all[bin].sum / all[bin].count : RatioHistogram::middle(bin);
 }
 
 }  // namespace
 
-LightByRatio::LightByRatio(const RatioHistogram& found, const RatioHistogram& states) {
-  const bool has_states = states.count() > 0;
-  const int first = has_states ? std::min(found.first(), states.first()) : found.first();
-  const int last = std::max(found.end(), has_states ? states.end() : 0) - 1;
+LightByRatio::LightByRatio(const RatioHistogram& found, std::span<const RatioHistogram> chains) {
+  RatioHistogram all = found;
+  for (const RatioHistogram& chain : chains) all.add(chain, 1);
+  const int first = all.first(), last = all.end() - 1;
   Shares above = light_above(found, first, last, [](const auto& bin) { return bin.sum; });
-  const Shares by_states =
-      light_above(states, first, last, [](const auto& bin) { return bin.count; });
+  const Shares by_states = states_above(chains, first, last);
   for (std::size_t k = 0; k < above.of.size(); ++k)
     above.of[k] = std::max(above.of[k], by_states.of[k]);
   add_tail(above);
   for (int i = above.first; i <= above.last(); ++i) {
     const double light = above.at(i) - (i < above.last() ? above.at(i + 1) : 0);
-    if (light > 0) cells_.push_back({ratio_of(i, found, states), light});
+    if (light > 0) cells_.push_back({ratio_of(i, all), light});
   }
 }
 

@@ -28,12 +28,11 @@ double sum(const RatioHistogram& ratios, F&& f) {
 class Variance {
  public:
   Variance(const Pilot& pilot, std::size_t bins)
-      : light_(pilot.found, pilot.states),
+      : light_(pilot.found, pilot.chains),
         bins_(static_cast<double>(bins)),
         b_(pilot.b()),
         steps_per_chain_(pilot.steps_per_chain) {}
 
-  double b() const { return b_; }
   // V(ρ, c) / b², but for V_b
   double of_parts(const Pilot::Border& border, double samples_per_step) const {
     const Partition side{border.c / b_};
@@ -97,6 +96,12 @@ Choice best_border(const Pilot& pilot, const Variance& variance, double samples_
 }
 
 }  // namespace
+
+RatioHistogram Pilot::states() const {
+  RatioHistogram all;
+  for (const RatioHistogram& chain : chains) all.add(chain, 1);
+  return all;
+}
 
 double Pilot::b() const {
   return sum(found, [](double paths, double l) { return paths * l; }) / samples;

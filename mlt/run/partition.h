@@ -50,8 +50,8 @@ struct Pilot {
   // Of its samples, l of what they found, and how many rays they took.
   RatioHistogram found{};
   double samples = 0, rays = 0;
-  // Of its chains, l of the states, and how many steps each has made.
-  RatioHistogram states{};
+  // Of each of its chains, l of the states, and how many steps it has made.
+  std::vector<RatioHistogram> chains{};
   double steps_per_chain = 0;
   // With a border, how many steps tell as much as one independent draw: of where the chains' part of the
   // light lies on the film; and of how large it is in all, which unknown moves b.
@@ -61,6 +61,8 @@ struct Pilot {
   };
   std::vector<Border> borders{};
 
+  // Of all chains.
+  RatioHistogram states() const;
   double b() const;
   // (Σ l)² / Σ l²: how many samples carry the estimate of b.
   double effective_samples() const;
@@ -76,15 +78,14 @@ inline constexpr double rays_per_step = 5;
 
 // With ρ samples per step the variance of the film, summed over all bins and times the steps, is about
 //   V(ρ, c) = A + b² (τ E_π[w_M²] + n u) + V_b(ρ),   A = b E_π[l w_B²] / ρ:
-// the samples' part, the chains', who for the share u of light that they do not come to have one draw in
-// the n steps of each, and that of b itself, which moves all bins.  b is that of the bridge (bridge.h),
-// which chooses its own balance: V_b is the least of
+// the samples' part; the chains', who for the share u of light that they do not come to have one draw
+// in the n steps of each; and that of b itself, which moves all bins.  b is that of the bridge
+// (bridge.h), which chooses its own balance: V_b is the least of
 //   b² (A + τ' b² Var_π(w_M)) / (bins (∫ f w_B)²)
-// over all borders.  E_π is
-// over all light, as what the pilot saw says of it (light_by_ratio.h).  Were the
-// steps n_M = n_B / (ρ τ) independent draws, the best border would be that of the balance heuristic,
-// c = b n_B / n_M = b ρ τ.  But τ depends on c: chains that know easy light well may be slow to come
-// to the hard.
+// over all borders.  E_π is over all light, as what the pilot saw says of it (light_by_ratio.h).  Were
+// the steps n_M = n_B / (ρ τ) independent draws, the best border would be that of the balance
+// heuristic, c = b n_B / n_M = b ρ τ.  But τ depends on c: chains that know easy light well may be
+// slow to come to the hard.
 //
 // The ρ and c that have the least V (1 + ρ κ), with κ the cost of a sample in steps; ρ of the powers of
 // two between these, but no more than with which samples take most_cost times as long as steps.

@@ -82,14 +82,15 @@ Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t
   for (const GroupFindings& group : groups) {
     pilot.samples += static_cast<double>(group.seeds->samples);
     for (const RatioHistogram& stratum : group.evidence->ratios) pilot.found.add(stratum, 1);
-    for (const StateRatios& stratum : group.states)
-      pilot.states.add(*stratum.ratios, stratum.weight);
+    RatioHistogram& chain = pilot.chains.emplace_back();
+    for (const StateRatios& stratum : group.states) chain.add(*stratum.ratios, stratum.weight);
   }
   pilot.steps_per_chain = static_cast<double>(steps);
   if (steps == 0) return pilot;
   const std::span<const PooledParts> parts = groups.front().parts;
+  const RatioHistogram states = pilot.states();
   for (std::size_t k = 0; k < parts.size(); ++k)
-    pilot.borders.push_back(border_of(groups, k, pilot.states, steps));
+    pilot.borders.push_back(border_of(groups, k, states, steps));
   return pilot;
 }
 
@@ -102,9 +103,10 @@ struct HardLight {
 HardLight hard_light(const Pilot& pilot, Partition side) {
   HardLight light;
   double found = 0;
-  for (int i = pilot.states.first(); i < pilot.states.end(); ++i)
-    if (const auto [number, sum] = pilot.states[i]; number > 0)
-      light.by_states += number * side.of_chains(sum / number) / pilot.states.count();
+  const RatioHistogram states = pilot.states();
+  for (int i = states.first(); i < states.end(); ++i)
+    if (const auto [number, sum] = states[i]; number > 0)
+      light.by_states += number * side.of_chains(sum / number) / states.count();
   for (int i = pilot.found.first(); i < pilot.found.end(); ++i)
     if (const auto [number, sum] = pilot.found[i]; number > 0) {
       light.by_samples += sum * side.of_chains(sum / number);

@@ -47,7 +47,7 @@ class Kirchhoff {
   bool extend(Path<W>& x, int i, Toward toward, NumbersOrRandom& u) const {
     return flat_.extend(x, i, toward, u);
   }
-  bool may_connect(const Path<W>&, int) const { return true; }
+  bool may_connect(const Path<W>&, int, const Path<W>&, int) const { return true; }
   Connection connect(Path<W>& x, int i) const { return flat_.connect(x, i); }
   void evaluate(Path<W>& x, int i) const;
 

@@ -103,7 +103,7 @@ class Graph {
   double albedo(const Vertex<Pointland>&) const { return 1; }
   const auto& with(Roulette) const { return *this; }
 
-  bool may_connect(const PointPath&, int) const { return true; }
+  bool may_connect(const PointPath&, int, const PointPath&, int) const { return true; }
   Connection connect(PointPath& x, int i) const;
   void evaluate(PointPath& x, int i) const;
 

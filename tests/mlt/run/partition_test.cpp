@@ -111,16 +111,19 @@ TEST(Pooling, LeavesAllToTheChainsWhereThePilotSawNothing) {
 TEST(Pooling, HearsOfFirefliesFromTheChains) {
   Pilot pilot = pilot_of({{1, 10'000}});
   EXPECT_EQ(best_pooling(pilot, bins).samples_per_step, most_samples_per_step);
-  for (int i = 0; i < 1000; ++i) pilot.states.add(i % 2 == 0 ? 1 : 1e5);
+  pilot.chains.resize(1);
+  for (int i = 0; i < 1000; ++i) pilot.chains[0].add(i % 2 == 0 ? 1 : 1e5);
   EXPECT_LT(best_pooling(pilot, bins).samples_per_step, 1);
 }
 
 // Of chains none of which has come to the light that carries half of what the samples found.
 TEST(Pooling, HearsFromTheSamplesWhatChainsHaveNotSeen) {
-  Pilot seen = pilot_of({{1, 10'000}, {1000, 10}}), unseen = seen;
+  Pilot seen = pilot_of({{1, 10'000}, {1000, 10}});
+  seen.chains.resize(1);
+  Pilot unseen = seen;
   for (int i = 0; i < 1000; ++i) {
-    seen.states.add(i % 2 == 0 ? 1 : 1000);
-    unseen.states.add(1);
+    seen.chains[0].add(i % 2 == 0 ? 1 : 1000);
+    unseen.chains[0].add(1);
   }
   for (const double c : borders_around(seen.b())) {
     seen.borders.push_back({c, 1000, 1000});

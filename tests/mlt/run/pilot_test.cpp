@@ -120,8 +120,11 @@ TEST(Pilots, ExpectNoGrowthWhereThereWasNoTimeToSeeIt) {
 TEST(Pilots, ExpectNothingOfChainsThatHaveNotComeToTheHardLight) {
   const auto unvisited = [](double hard_states) {
     const auto pilot = [&](double steps) {
-      Pilot made{.samples = 1000, .steps_per_chain = steps, .borders = {{1, 20, 20}, {4, 20, 20}}};
-      for (int i = 0; i < 1000; ++i) made.states.add(i < 1000 * hard_states ? 1e9 : 1e-9);
+      Pilot made{.samples = 1000,
+                 .chains = {{}},
+                 .steps_per_chain = steps,
+                 .borders = {{1, 20, 20}, {4, 20, 20}}};
+      for (int i = 0; i < 1000; ++i) made.chains[0].add(i < 1000 * hard_states ? 1e9 : 1e-9);
       for (int i = 0; i < 1000; ++i) made.found.add(1e6);
       for (int i = 0; i < 1024; ++i) made.found.add(1e-6);
       return made;
@@ -136,8 +139,11 @@ TEST(Pilots, ExpectNothingOfChainsThatHaveNotComeToTheHardLight) {
 
 // Nearly all light lies beyond 100, where no chain was; but beyond 1 half of the states are.
 TEST(Pilots, CountWhatIsUnvisitedBeyondAnyBorder) {
-  Pilot pilot{.samples = 1000, .steps_per_chain = 500, .borders = {{1, 20, 20}, {100, 20, 20}}};
-  for (int i = 0; i < 100; ++i) pilot.states.add(i < 50 ? 1e-9 : 10);
+  Pilot pilot{.samples = 1000,
+              .chains = {{}},
+              .steps_per_chain = 500,
+              .borders = {{1, 20, 20}, {100, 20, 20}}};
+  for (int i = 0; i < 100; ++i) pilot.chains[0].add(i < 50 ? 1e-9 : 10);
   for (int i = 0; i < 80; ++i) pilot.found.add(10);
   pilot.found.add(1e6);  // nearly all
   const Pilot late = extrapolated(pilot, pilot, 500);
@@ -174,7 +180,7 @@ TEST(Pilots, AddUpWhatTheirGroupsFound) {
   EXPECT_EQ(pilot.samples, 100);
   EXPECT_EQ(pilot.rays, 300);
   EXPECT_EQ(pilot.found.count(), 6);
-  EXPECT_EQ(pilot.states.count(), 1.5);
+  EXPECT_EQ(pilot.states().count(), 1.5);
   EXPECT_TRUE(pilot.borders.empty()) << "no steps";
 }
 
