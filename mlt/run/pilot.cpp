@@ -96,19 +96,19 @@ Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t
 
 namespace {
 
-// The light of the chains' part: as states say it, and as samples do.
+// The light of the chains' part: as states say it, and as samples do but for the one that found most.
 struct HardLight {
   double by_states = 0, by_samples = 0;
 };
 HardLight hard_light(const Pilot& pilot, Partition side) {
   HardLight light;
   double found = 0;
-  const RatioHistogram states = pilot.states();
+  const RatioHistogram states = pilot.states(), samples = pilot.found.without_largest();
   for (int i = states.first(); i < states.end(); ++i)
     if (const auto [number, sum] = states[i]; number > 0)
       light.by_states += number * side.of_chains(sum / number) / states.count();
-  for (int i = pilot.found.first(); i < pilot.found.end(); ++i)
-    if (const auto [number, sum] = pilot.found[i]; number > 0) {
+  for (int i = samples.first(); i < samples.end(); ++i)
+    if (const auto [number, sum] = samples[i]; number > 0) {
       light.by_samples += sum * side.of_chains(sum / number);
       found += sum;
     }

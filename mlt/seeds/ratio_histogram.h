@@ -64,6 +64,17 @@ class RatioHistogram {
     }
   }
 
+  // All but the largest, or one of the last bin's.
+  RatioHistogram without_largest() const {
+    RatioHistogram rest = *this;
+    while (!rest.bins_.empty() && !(rest.bins_.back().count > 0)) rest.bins_.pop_back();
+    if (rest.bins_.empty()) return rest;
+    Bin& last = rest.bins_.back();
+    const double left = std::max(0.0, 1 - 1 / last.count);
+    last = {left * last.count, left * last.sum};
+    return rest;
+  }
+
   // Bins are numbered alike in all histograms: first() ≤ i < end().
   int first() const { return first_; }
   int end() const { return first_ + static_cast<int>(bins_.size()); }

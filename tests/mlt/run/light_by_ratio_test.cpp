@@ -14,10 +14,11 @@ double light_beyond(const LightByRatio& light, double ratio) {
   return light.mean([&](double l) { return l >= ratio ? 1.0 : 0.0; });
 }
 
-TEST(LightByRatio, OfStatesIsACountAndOfSamplesWhatTheyFound) {
+TEST(LightByRatio, OfStatesIsACountAndOfSamplesWhatTheyFoundButForTheLargest) {
   RatioHistogram states, found, none;
   for (int i = 0; i < 600; ++i) states.add(i % 3 == 0 ? 4 : 1);
   for (int i = 0; i < 900; ++i) found.add(i % 9 == 0 ? 4 : 1);  // 4 of 12
+  found.add(4);
   for (const LightByRatio& light : {LightByRatio(none, {&states, 1}), LightByRatio(found, {})}) {
     EXPECT_NEAR(light.mean([](double) { return 1; }), 1, 1e-12);
     EXPECT_NEAR(light_beyond(light, 3.99), 1.0 / 3, 1e-12);
@@ -29,6 +30,7 @@ TEST(LightByRatio, IsTheMoreOfBoth) {
   for (int i = 0; i < 1000; ++i) {
     states.add(i < 600 ? 1 : 8);  // 0.4 beyond 8, nothing beyond 100
     found.add(i < 990 ? 1 : 99);  // half beyond 99
+    if (i == 0) found.add(1e9);
   }
   const LightByRatio light(found, {&states, 1});
   EXPECT_NEAR(light_beyond(light, 98), 0.5, 1e-12);

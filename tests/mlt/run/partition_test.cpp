@@ -24,15 +24,17 @@ struct Work {
   double parts, total;
 };
 Work work(const Pilot& pilot, double c, double rho) {
-  double b = 0, samples = 0, chains = 0, hard = 0;
-  for (int i = pilot.found.first(); i < pilot.found.end(); ++i) {
-    const auto [count, sum] = pilot.found[i];
+  const RatioHistogram found = pilot.found.without_largest();
+  double all = 0, samples = 0, chains = 0, hard = 0;
+  for (int i = found.first(); i < found.end(); ++i) all += found[i].sum;
+  const double b = pilot.b();
+  for (int i = found.first(); i < found.end(); ++i) {
+    const auto [count, sum] = found[i];
     if (count == 0) continue;
-    const double l = sum / count;
-    b += sum / pilot.samples;
-    samples += count / pilot.samples * std::pow(c * l / (l + c), 2) / rho;
-    chains += count / pilot.samples * l * std::pow(l / (l + c), 2);
-    hard += count / pilot.samples * l * l / (l + c);
+    const double l = sum / count, light = b * sum / all;
+    samples += light * l * std::pow(c / (l + c), 2) / rho;
+    chains += light * std::pow(l / (l + c), 2);
+    hard += light * l / (l + c);
   }
   const double spread = usual_steps_per_draw * (b * chains - hard * hard);
   return {samples + usual_steps_per_draw * b * chains,

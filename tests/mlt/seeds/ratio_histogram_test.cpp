@@ -55,6 +55,17 @@ TEST(RatioHistogram, IsShiftedByPowersOfTwoAndElseTheSame) {
   }
 }
 
+TEST(RatioHistogram, WithoutTheLargestHoldsTheOthers) {
+  RatioHistogram histogram;
+  for (const double l : {1.0, 64.0, 64.0}) histogram.add(l);
+  const RatioHistogram two = histogram.without_largest(), one = two.without_largest();
+  EXPECT_DOUBLE_EQ(two.count(), 2);
+  EXPECT_DOUBLE_EQ(two[two.end() - 1].sum, 64);
+  EXPECT_DOUBLE_EQ(one.count(), 1);
+  EXPECT_DOUBLE_EQ(one[one.first()].sum, 1);
+  EXPECT_DOUBLE_EQ(one.without_largest().without_largest().count(), 0);
+}
+
 TEST(RatioHistogram, OfTwoIsTheirSumWhereverTheyLie) {
   RatioHistogram low, high;
   for (const double l : {1e-3, 2e-3}) low.add(l);
