@@ -164,13 +164,13 @@ class ChainRun final : public LiveRun {
         seed_share_(settings.seed_share.value_or(ChainSettings::usual_seed_share)) {}
 
   // Of the run, as far as it is known before it; of an error it is not.
-  double steps_per_chain() const {
+  double steps() const {
     const auto most = static_cast<double>(settings_.steps_per_chain);
-    const auto expected = expected_steps(run_);
-    if (!expected) return most;
-    const int chains =
-        settings_.groups * settings_.chains_for(static_cast<std::uint64_t>(*expected));
-    return *expected / chains;
+    return expected_steps(run_).value_or(most * settings_.groups * settings_.chains_per_group);
+  }
+  double steps_per_chain() const {
+    const double all = steps();
+    return all / (settings_.groups * settings_.chains_for(static_cast<std::uint64_t>(all)));
   }
   // Of a pilot, or of an adaptation.
   ChainSettings settings_of_trial() const {
@@ -197,7 +197,11 @@ class ChainRun final : public LiveRun {
   double kernel() const { return adaptation_ ? adaptation_->kernel : Adaptation{}.kernel; }
   Pilot pilot() const {
     const auto trial = make_(settings_of_trial(), seed_of_pilot(run_.session().seed), kernel());
-    return make_pilot(*trial, run_, steps_per_chain());
+    Pilot pilot = make_pilot(*trial, run_, steps_per_chain());
+    if (is_telling(pilot))
+      pilot.steps_per_seed =
+          steps() / static_cast<double>(std::max(settings_.fewest_seeds, seeds_for(pilot)));
+    return pilot;
   }
   // All samples before the chains: of a budget of time the share is one of seconds.
   Pooling with_seed_share(const Pilot& pilot, double share) const {

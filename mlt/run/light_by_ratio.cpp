@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wander {
 
@@ -59,12 +60,14 @@ int reach(const Shares& above, double share) {
 // α; infinite where S has a step.
 double power_between(Shares& above, double more, double less) {
   const int begin = reach(above, more), end = reach(above, less);
+  if (begin == end) return std::numeric_limits<double>::infinity();
   return std::log2(above.at(begin) / above.at(end)) * octave / (end - begin);
 }
 
 void add_tail(Shares& above) {
   const double power =
-      std::max(power_between(above, 0.3, seen_tail), power_between(above, 0.15, 0.025));
+      std::max({power_between(above, 0.3, seen_tail), power_between(above, 0.15, 0.025),
+                power_between(above, seen_tail, 0.0125)});
   if (!std::isfinite(power)) return;
   const int end = reach(above, seen_tail);
   const double share = above.at(end);

@@ -7,8 +7,8 @@
 // over those with l ≥ t, over Σ l.  Samples have seldom drawn what has a large l, and chains may not have
 // come there, so S is the more of both.  What neither has seen is not nothing: the tails of l are often powers,
 //   S(t) = S(t₁) (t / t₁)^-α  beyond t₁,   α = log(S(t₀) / S(t₁)) / log(t₁ / t₀),
-// with t₁ as far out as S is 0.05, and S is no less than that.  α is the steepest that two pairs of
-// quantiles know, 0.3 and 0.05, 0.15 and 0.025: between the light of two parts of path space, such as
+// with t₁ as far out as S is 0.05, and S is no less than that.  α is the steepest that three pairs of
+// quantiles know, 0.3 and 0.05, 0.15 and 0.025, 0.05 and 0.0125: between the light of two parts of path space, such as
 // what is seen and what is a caustic, S is flat, and no tail.  Where l is bounded S falls steeply, and
 // the power law adds nothing.
 //

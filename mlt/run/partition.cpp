@@ -11,7 +11,8 @@ namespace wander {
 namespace {
 
 constexpr double fewest_effective_samples = 64, enough_effective_samples = 512;
-constexpr double smallest_border = 0x1p-2, largest_border = 0x1p18;  // over b
+constexpr double smallest_border = 0x1p-2, largest_border = 0x1p18,
+                 border_of_all_light = 0x1p48;  // over b
 
 // Σ over the cells of a histogram of f(number of paths, their l).
 template <class F>
@@ -31,15 +32,16 @@ class Variance {
       : light_(pilot.found, pilot.chains),
         bins_(static_cast<double>(bins)),
         b_(pilot.b()),
-        steps_per_chain_(pilot.steps_per_chain) {}
+        steps_per_chain_(pilot.steps_per_chain),
+        steps_per_seed_(pilot.steps_per_seed) {}
 
   // V(ρ, c) / b², but for V_b
   double of_parts(const Pilot::Border& border, double samples_per_step) const {
     const Partition side{border.c / b_};
-    return of_samples(side) / samples_per_step + border.steps_per_draw * mean([&](double l) {
-                                                   return side.of_chains(l) * side.of_chains(l);
-                                                 }) +
-           border.unvisited * steps_per_chain_;
+    const double draws = border.steps_per_draw *
+                         mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
+    return of_samples(side) / samples_per_step + draws + border.unvisited * steps_per_chain_ +
+           of_seeds(side, border.steps_per_draw);
   }
   // V_b(ρ) / b², if the bridge had this border
   double of_total(const Pilot::Border& border, double samples_per_step) const {
@@ -60,8 +62,16 @@ class Variance {
     return mean([&](double l) { return l * side.of_samples(l) * side.of_samples(l); });
   }
 
+  // (τ/n)² k E_π[l w_M²] / b
+  double of_seeds(Partition side, double steps_per_draw) const {
+    if (!(steps_per_chain_ > 0)) return 0;
+    const double where_it_began = std::min(1.0, steps_per_draw / steps_per_chain_);
+    return where_it_began * where_it_began * steps_per_seed_ *
+           mean([&](double l) { return l * side.of_chains(l) * side.of_chains(l); });
+  }
+
   LightByRatio light_;
-  double bins_, b_, steps_per_chain_;
+  double bins_, b_, steps_per_chain_, steps_per_seed_;
 };
 
 std::vector<Pilot::Border> borders_of(const Pilot& pilot) {
@@ -110,6 +120,7 @@ double Pilot::b() const {
 std::vector<double> borders_around(double b) {
   std::vector<double> borders;
   for (double c = smallest_border; c <= largest_border; c *= 4) borders.push_back(c * b);
+  borders.push_back(border_of_all_light * b);
   return borders;
 }
 

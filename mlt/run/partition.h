@@ -53,6 +53,7 @@ struct Pilot {
   // Of each of its chains, l of the states, and how many steps it has made.
   std::vector<RatioHistogram> chains{};
   double steps_per_chain = 0;
+  double steps_per_seed = 0;  // of the run: its steps for each sample of its seed pass
   // With a border, how many steps tell as much as one independent draw: of where the chains' part of the
   // light lies on the film; and of how large it is in all, which unknown moves b.
   struct Border {
@@ -68,7 +69,7 @@ struct Pilot {
   double effective_samples() const;
 };
 
-// The borders that are tried.
+// The borders that are tried; beyond the last there is no light, and all is left to samples.
 std::vector<double> borders_around(double b);
 
 // τ where no chains have told it.
@@ -77,9 +78,11 @@ inline constexpr double usual_steps_per_draw = 16;
 inline constexpr double rays_per_step = 5;
 
 // With ρ samples per step the variance of the film, summed over all bins and times the steps, is about
-//   V(ρ, c) = A + b² (τ E_π[w_M²] + n u) + V_b(ρ),   A = b E_π[l w_B²] / ρ:
+//   V(ρ, c) = A + b² (τ E_π[w_M²] + n u) + (τ/n)² k b E_π[l w_M²] + V_b(ρ),   A = b E_π[l w_B²] / ρ:
 // the samples' part; the chains', who for the share u of light that they do not come to have one draw
-// in the n steps of each; and that of b itself, which moves all bins.  b is that of the bridge
+// in the n steps of each; that of their seeds, for the share τ/n of what a chain deposits lies where it
+// began, and of that light it knows what the samples of the seed pass do, one for each k steps; and that
+// of b itself, which moves all bins.  b is that of the bridge
 // (bridge.h), which chooses its own balance: V_b is the least of
 //   b² (A + τ' b² Var_π(w_M)) / (bins (∫ f w_B)²)
 // over all borders.  E_π is over all light, as what the pilot saw says of it (light_by_ratio.h).  Were

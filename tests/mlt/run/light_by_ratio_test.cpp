@@ -73,6 +73,15 @@ TEST(LightByRatio, IsNotWhatOneChainAloneSays) {
   EXPECT_NEAR(light_beyond(LightByRatio({}, all), 0.9), 1, 1e-12);
 }
 
+// A tenth of the light has one large l: what S does on the way there is no tail.
+TEST(LightByRatio, OfTwoPartsEndsWithTheSecond) {
+  RatioHistogram states;
+  for (int i = 0; i < 1000; ++i) states.add(i % 10 == 0 ? 1e5 : 1);
+  const LightByRatio light({}, {&states, 1});
+  EXPECT_EQ(light_beyond(light, 1.1e5), 0);
+  EXPECT_NEAR(light_beyond(light, 0.9e5), 0.1, 1e-12);
+}
+
 // A power of two moves all ratios and nothing else.
 TEST(LightByRatio, KnowsNoUnitOfLight) {
   RatioHistogram one, other;

@@ -147,6 +147,24 @@ TEST(Pooling, LeavesLessToChainsThatMixBadly) {
   EXPECT_GT(b.partition.c, 8 * a.partition.c);
 }
 
+// A tenth of the light is hard.  Chains that stay where they began have it from the seed pass, which has
+// one sample for so many steps.
+TEST(Pooling, LeavesToChainsWhatTheyKnowBetterThanTheirSeeds) {
+  const auto samples_per_step = [](double steps_per_draw, double steps_per_seed) {
+    Pilot pilot = pilot_of({{1, 10'000}});
+    pilot.chains.resize(1);
+    for (int i = 0; i < 1000; ++i) pilot.chains[0].add(i % 10 == 0 ? 1e5 : 1);
+    pilot.steps_per_chain = 1000;
+    pilot.steps_per_seed = steps_per_seed;
+    for (const double c : borders_around(pilot.b()))
+      pilot.borders.push_back({c, steps_per_draw, steps_per_draw});
+    return best_pooling(pilot, bins).samples_per_step;
+  };
+  EXPECT_LT(samples_per_step(1, 30), 2) << "they move";
+  EXPECT_LT(samples_per_step(1000, 0.01), 2) << "the seed pass is long";
+  EXPECT_EQ(samples_per_step(1000, 30), most_samples_per_step);
+}
+
 TEST(StepsPerDraw, AreTheSharesOfVarianceOfLongChainsAndMoreOfShortOnes) {
   EXPECT_NEAR(steps_per_draw(0.001, 1e5), 100, 0.5);
   EXPECT_NEAR(steps_per_draw(2 * (std::exp(-1.)), 1000), 2000, 4) << "x = 1";

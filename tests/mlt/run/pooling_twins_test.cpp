@@ -14,9 +14,9 @@
 namespace wander::test {
 namespace {
 
-constexpr double hard = 8, q = 0.01;
-constexpr int samples = 1024;
-constexpr int most = 60;  // hard ones: of more the probability is below 1e-25
+constexpr double hard = 64, q = 0x5p-12;  // five of them are
+constexpr int samples = 4096;
+constexpr int most = 60;  // hard ones: of more the probability is below 1e-35
 constexpr double b = (1 - q) + q * hard;
 
 // P(k of n samples are hard)
@@ -66,7 +66,7 @@ TEST_F(ChoicesOfThePilot, OfANumberOfSamplesLeaveTheFilmUnbiased) {
   const Partition side{16 * b};
   const auto expected = [&](std::size_t k, const Pooling& choice) {
     const int hard_ones = static_cast<int>(k);
-    if (choice.samples_per_step < 16) return film(hard_ones, samples, side);
+    if (choice.samples_per_step < 4) return film(hard_ones, samples, side);
     double mean = 0;
     for (std::size_t more = 0; more < weights.size(); ++more)
       mean += weights[more] * film(hard_ones + static_cast<int>(more), 2 * samples, side);
