@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "mlt/run/light_by_ratio.h"
 
@@ -30,6 +31,7 @@ class Variance {
  public:
   Variance(const Pilot& pilot, std::size_t bins)
       : light_(pilot.found, pilot.chains),
+        borders_(pilot.borders),
         bins_(static_cast<double>(bins)),
         b_(pilot.b()),
         steps_per_chain_(pilot.steps_per_chain),
@@ -41,7 +43,7 @@ class Variance {
     const double draws = border.steps_per_draw *
                          mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
     return of_samples(side) / samples_per_step + draws + border.unvisited * steps_per_chain_ +
-           of_seeds(side, border.steps_per_draw);
+           of_seeds(side);
   }
   // V_b(ρ) / b², if the bridge had this border
   double of_total(const Pilot::Border& border, double samples_per_step) const {
@@ -62,15 +64,22 @@ class Variance {
     return mean([&](double l) { return l * side.of_samples(l) * side.of_samples(l); });
   }
 
-  // (τ/n)² k E_π[l w_M²] / b
-  double of_seeds(Partition side, double steps_per_draw) const {
-    if (!(steps_per_chain_ > 0)) return 0;
-    const double where_it_began = std::min(1.0, steps_per_draw / steps_per_chain_);
-    return where_it_began * where_it_began * steps_per_seed_ *
-           mean([&](double l) { return l * side.of_chains(l) * side.of_chains(l); });
+  // k E_π[φ² l w_M²] / b
+  double of_seeds(Partition side) const {
+    return steps_per_seed_ * mean([&](double l) {
+             return std::pow(where_it_began(l * b_), 2) * l * side.of_chains(l) * side.of_chains(l);
+           });
+  }
+  // φ(l)
+  double where_it_began(double ratio) const {
+    double steps_per_draw = 0;
+    for (const Pilot::Border& border : borders_)
+      if (border.c <= ratio) steps_per_draw = std::max(steps_per_draw, border.steps_per_draw);
+    return steps_per_chain_ > 0 ? std::min(1.0, steps_per_draw / steps_per_chain_) : 0;
   }
 
   LightByRatio light_;
+  std::span<const Pilot::Border> borders_;
   double bins_, b_, steps_per_chain_, steps_per_seed_;
 };
 

@@ -78,12 +78,12 @@ inline constexpr double usual_steps_per_draw = 16;
 inline constexpr double rays_per_step = 5;
 
 // With ρ samples per step the variance of the film, summed over all bins and times the steps, is about
-//   V(ρ, c) = A + b² (τ E_π[w_M²] + n u) + (τ/n)² k b E_π[l w_M²] + V_b(ρ),   A = b E_π[l w_B²] / ρ:
+//   V(ρ, c) = A + b² (τ E_π[w_M²] + n u) + k b E_π[φ² l w_M²] + V_b(ρ),   A = b E_π[l w_B²] / ρ:
 // the samples' part; the chains', who for the share u of light that they do not come to have one draw
-// in the n steps of each; that of their seeds, for the share τ/n of what a chain deposits lies where it
-// began, and of that light it knows what the samples of the seed pass do, one for each k steps; and that
-// of b itself, which moves all bins.  b is that of the bridge
-// (bridge.h), which chooses its own balance: V_b is the least of
+// in the n steps of each; that of their seeds, for of what a chain deposits beyond a ratio l the share
+// φ(l) = τ(l)/n lies where it began, with the τ of the border there, and of that light it knows what the
+// samples of the seed pass do, one for each k steps; and that of b itself, which moves all bins.  b is
+// that of the bridge (bridge.h), which chooses its own balance: V_b is the least of
 //   b² (A + τ' b² Var_π(w_M)) / (bins (∫ f w_B)²)
 // over all borders.  E_π is over all light, as what the pilot saw says of it (light_by_ratio.h).  Were
 // the steps n_M = n_B / (ρ τ) independent draws, the best border would be that of the balance
