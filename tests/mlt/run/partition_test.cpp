@@ -92,6 +92,9 @@ TEST(Pooling, MakesManySamplesWhereLightIsEasyAndFewWhereItIsHard) {
   const Pilot dark = pilot_of({{1e4, 3}});
   EXPECT_FALSE(is_telling(dark));
   EXPECT_EQ(best_pooling(dark, bins).samples_per_step, fewest_samples_per_step);
+  const Pooling of_one = best_pooling(pilot_of({{1e4, 1}}), bins);
+  EXPECT_EQ(of_one.samples_per_step, fewest_samples_per_step);
+  EXPECT_GT(of_one.partition.c, 0);
 }
 
 TEST(Pooling, KnowsNoUnitOfLight) {
