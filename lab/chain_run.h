@@ -204,10 +204,12 @@ class ChainRun final : public LiveRun {
     return pilot;
   }
   // All samples before the chains: of a budget of time the share is one of seconds.
-  Pooling with_seed_share(const Pilot& pilot, double share) const {
+  Pooling with_seed_share(Pilot pilot, double share) const {
     const bool is_of_time = std::holds_alternative<TimeBudget>(run_.session().budget);
     const double cost = pooling(pilot, share, bins()).cost_of_sample;
-    Pooling all_before = pooling(pilot, is_of_time && cost > 0 ? share / cost : share, bins());
+    const double samples_per_step = is_of_time && cost > 0 ? share / cost : share;
+    pilot.steps_per_seed = 1 / samples_per_step;
+    Pooling all_before = pooling(pilot, samples_per_step, bins());
     all_before.samples_per_step = 0;
     return all_before;
   }
