@@ -96,6 +96,10 @@ double relative_error(const FilmEstimate& film) {
   return size > 0 ? std::sqrt(variance / size) : unknown;
 }
 
+bool is_dark(const FilmEstimate& film) {
+  return std::ranges::none_of(film.value, [](double x) { return x > 0; });
+}
+
 std::size_t reliable_bins(const FilmEstimate& film) {
   return static_cast<std::size_t>(std::count(film.reliable.begin(), film.reliable.end(), true));
 }

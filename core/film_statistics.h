@@ -15,6 +15,7 @@ double mean_value(const FilmEstimate& film);
 // sqrt(sum se^2 / sum value^2): the error of the film in units of the film.
 double relative_error(const FilmEstimate& film);
 std::size_t reliable_bins(const FilmEstimate& film);
+bool is_dark(const FilmEstimate& film);  // no bin is above zero
 
 struct FilmComparison {
   double relative_rmse = 0;    // sqrt(sum (x - r)^2 / sum r^2) over all bins

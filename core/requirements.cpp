@@ -6,9 +6,9 @@
 
 namespace wander {
 
-namespace {
+namespace description {
 
-using namespace description;
+namespace {
 
 struct MaterialType {
   std::string operator()(const Black&) const { return "black"; }
@@ -34,7 +34,7 @@ bool reflects_nothing(const Metal& metal) {
 }
 
 // A mirror that reflects nothing is black.
-bool is_specular(const MaterialKind& kind) {
+bool is_specular_kind(const MaterialKind& kind) {
   if (const auto* mirror = std::get_if<Mirror>(&kind)) return !is_zero(mirror->reflectance);
   if (const auto* metal = std::get_if<Conductor>(&kind)) return !reflects_nothing(*metal);
   return std::holds_alternative<Dielectric>(kind);
@@ -59,7 +59,7 @@ struct IsGlossy {
 };
 
 template <class Property>
-bool any_of(const std::vector<MaterialKind>& materials, Property property) {
+bool any_material(const std::vector<MaterialKind>& materials, Property property) {
   return std::ranges::any_of(materials,
                              [&](const MaterialKind& kind) { return std::visit(property, kind); });
 }
@@ -86,9 +86,9 @@ std::vector<MaterialKind> materials_in_use(const Scene& scene) {
 // A caustic is light, focused by specular surfaces, that falls on a surface which is not: the
 // sensor itself (light, specular, sensor) or, seen by a camera, one that scatters (a vertex more).
 bool caustics_can_form(const Scene& scene, const std::vector<MaterialKind>& materials) {
-  if (std::none_of(materials.begin(), materials.end(), is_specular)) return false;
+  if (std::none_of(materials.begin(), materials.end(), is_specular_kind)) return false;
   if (!scene.camera) return scene.max_vertices >= 3;
-  return scene.max_vertices >= 4 && any_of(materials, Scatters{});
+  return scene.max_vertices >= 4 && any_material(materials, Scatters{});
 }
 
 struct Textured {
@@ -99,13 +99,17 @@ struct Textured {
 };
 
 bool is_coloured(const Scene& scene, const std::vector<MaterialKind>& materials) {
-  return any_of(materials, Coloured{}) ||
+  return any_material(materials, Coloured{}) ||
          std::any_of(scene.shapes.begin(), scene.shapes.end(), [](const description::Shape& shape) {
            return shape.light && shape.light->radiance.coloured;
          });
 }
 
 }  // namespace
+
+}  // namespace description
+
+using description::MaterialKind, description::ShapeKind;
 
 std::vector<int> film_resolution(const description::Scene& scene) {
   const auto sensor = std::ranges::find_if(
@@ -121,6 +125,7 @@ std::vector<int> film_resolution(const description::Scene& scene) {
 }
 
 std::vector<int> film_shape(const description::Scene& scene) {
+  using namespace description;
   std::vector<int> shape = film_resolution(scene);
   if (is_coloured(scene, materials_in_use(scene))) shape.push_back(3);
   return shape;
@@ -130,9 +135,12 @@ std::string type_of(const ShapeKind& kind) {
   return std::visit([](const auto& shape) { return std::string(shape.name); }, kind);
 }
 
-std::string type_of(const MaterialKind& kind) { return std::visit(MaterialType{}, kind); }
+std::string type_of(const MaterialKind& kind) {
+  return std::visit(description::MaterialType{}, kind);
+}
 
-Requirements requires_of(const Scene& scene) {
+Requirements requires_of(const description::Scene& scene) {
+  using namespace description;
   const std::vector<MaterialKind> materials = materials_in_use(scene);
   std::set<std::string> material_types, shape_types;
   for (const MaterialKind& kind : materials) material_types.insert(type_of(kind));
@@ -143,16 +151,16 @@ Requirements requires_of(const Scene& scene) {
   requirements.colour_channels = is_coloured(scene, materials) ? 3 : 1;
   requirements.materials.assign(material_types.begin(), material_types.end());
   requirements.shapes.assign(shape_types.begin(), shape_types.end());
-  requirements.specular = std::any_of(materials.begin(), materials.end(), is_specular);
+  requirements.specular = std::any_of(materials.begin(), materials.end(), is_specular_kind);
   requirements.caustic_paths_possible = caustics_can_form(scene, materials);
-  requirements.scatters = any_of(materials, Scatters{});
-  requirements.glossy = any_of(materials, IsGlossy{});
+  requirements.scatters = any_material(materials, Scatters{});
+  requirements.glossy = any_material(materials, IsGlossy{});
   requirements.smooth_normals =
       std::ranges::any_of(scene.shapes, [](const description::Shape& shape) {
         const auto* mesh = std::get_if<description::Mesh>(&shape.kind);
         return mesh != nullptr && mesh->normals == MeshNormals::smooth;
       });
-  requirements.textures = any_of(materials, Textured{});
+  requirements.textures = any_material(materials, Textured{});
   requirements.max_vertices = scene.max_vertices;
   return requirements;
 }

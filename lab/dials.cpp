@@ -59,7 +59,7 @@ Keep parse_keep(std::string_view option, std::string_view text) {
   return Keep::always;
 }
 
-const std::vector<Dial>& table() {
+const std::vector<Dial>& dial_table() {
   static const std::vector<Dial> known{
       {DialId::mutations, "mutations", "SPEC", mutations_help(),
        [](Dials& dials, std::string_view text) { dials.mutations = parse_mutations(text); }},
@@ -119,11 +119,11 @@ std::string Dial::option() const {
   return name;
 }
 
-std::span<const Dial> dials() { return table(); }
+std::span<const Dial> dials() { return dial_table(); }
 
 const Dial& find_dial(std::string_view word) {
   std::vector<std::string_view> words;
-  for (const Dial& dial : table()) {
+  for (const Dial& dial : dial_table()) {
     if (dial.word == word) return dial;
     words.push_back(dial.word);
   }

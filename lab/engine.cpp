@@ -32,17 +32,17 @@ template <World... Ws>
 constexpr std::array<Engine, sizeof...(Ws)> engines_in(WorldList<Ws...>) {
   return {engine_in<Ws>()...};
 }
-constexpr std::array table = engines_in(Worlds{});
+constexpr std::array engine_table = engines_in(Worlds{});
 
 constexpr bool has(const WorldKind& world) {
-  return std::ranges::count(table, world, &Engine::world) == 1;
+  return std::ranges::count(engine_table, world, &Engine::world) == 1;
 }
 static_assert(std::ranges::all_of(precisions, [](Precision precision) {
   return has({2, precision});
 }));
 
 const Engine& engine_of(const Job& job) {
-  return *std::ranges::find(table, job.world(), &Engine::world);  // Job has seen to it
+  return *std::ranges::find(engine_table, job.world(), &Engine::world);  // Job has seen to it
 }
 
 // The process would be killed, or the machine come to a standstill.
@@ -55,7 +55,7 @@ void require_memory(const KeptRun& from, const Job& job, const Session& session)
 
 }  // namespace
 
-std::span<const Engine> engines() { return table; }
+std::span<const Engine> engines() { return engine_table; }
 
 std::string why_no_engine(const WorldKind& world) {
   if (has(world)) return {};

@@ -36,7 +36,7 @@ std::string_view mirrors_seen_by_a_camera(const description::Scene& scene) {
   return "cannot find paths that reach the camera from a mirror or from smooth glass";
 }
 
-constexpr std::array table{
+constexpr std::array method_table{
     Method{.name = path_tracing.name,
            .summary = "path tracing from the sensor, with next-event estimation",
            .state = ChainState::none,
@@ -111,19 +111,19 @@ constexpr std::array table{
            .why_blind = never},
 };
 
-static_assert(std::ranges::all_of(table, [](const Method& m) {
+static_assert(std::ranges::all_of(method_table, [](const Method& m) {
   return !m.name.empty() && !m.summary.empty() && m.why_impossible && m.why_blind;
 }));
-static_assert(std::ranges::count(table, CheckRole::reference, &Method::check) == 1);
-static_assert(std::ranges::any_of(table, [](const Method& m) { return m.is_traced(); }));
+static_assert(std::ranges::count(method_table, CheckRole::reference, &Method::check) == 1);
+static_assert(std::ranges::any_of(method_table, [](const Method& m) { return m.is_traced(); }));
 
 }  // namespace
 
-std::span<const Method> methods() { return table; }
+std::span<const Method> methods() { return method_table; }
 
 const Method& find_method(std::string_view name) {
   std::vector<std::string_view> known;
-  for (const Method& method : table) {
+  for (const Method& method : method_table) {
     if (method.name == name) return method;
     known.push_back(method.name);
   }
@@ -140,7 +140,7 @@ std::string in_words(std::span<const Method* const> methods, std::string_view la
 }
 
 const Method& reference_method() {
-  return *std::ranges::find(table, CheckRole::reference, &Method::check);
+  return *std::ranges::find(method_table, CheckRole::reference, &Method::check);
 }
 
 std::vector<const Method*> checked_methods() {

@@ -12,8 +12,6 @@
 
 namespace wander {
 
-namespace {
-
 namespace fs = std::filesystem;
 
 // Owns an open file; `close` reports what the destructor could not.
@@ -34,6 +32,8 @@ class Descriptor {
  private:
   int descriptor_;
 };
+
+namespace {
 
 // Pipes and some file systems cannot sync, which is no failure to write.
 bool sync(int descriptor) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array<std::string_view, 1> grey{"Y"};
 constexpr std::array<std::string_view, 3> colour{"R", "G", "B"};
-constexpr std::string_view acceptance = "acceptance.", proposed = "proposed.",
+constexpr std::string_view acceptance_prefix = "acceptance.", proposed_prefix = "proposed.",
                            vertices = "vertices_", chains = "chains",
                            chains_error = "chains.standard_error";
 
@@ -98,7 +98,8 @@ std::span<const std::string_view> channel_names(std::size_t channels) {
 }
 
 std::size_t channels_of(std::string_view layer, std::size_t film_channels) {
-  return layer.starts_with(acceptance) || layer.starts_with(proposed) ? 1 : film_channels;
+  return layer.starts_with(acceptance_prefix) || layer.starts_with(proposed_prefix) ? 1
+                                                                                    : film_channels;
 }
 
 std::vector<FilmLayer> layers_of(const Rendering& rendering) {
@@ -124,10 +125,10 @@ std::vector<FilmLayer> layers_of(const Rendering& rendering) {
   for (const MutationRecord& mutation : rendering.mutations) {
     if (!mutation.acceptance_per_bin.empty())
       layers.push_back(
-          maps.rates(std::string(acceptance) + mutation.name, mutation.acceptance_per_bin));
+          maps.rates(std::string(acceptance_prefix) + mutation.name, mutation.acceptance_per_bin));
     if (!mutation.proposed_per_bin.empty())
       layers.push_back(
-          maps.counts(std::string(proposed) + mutation.name, mutation.proposed_per_bin));
+          maps.counts(std::string(proposed_prefix) + mutation.name, mutation.proposed_per_bin));
   }
   return layers;
 }
@@ -158,14 +159,14 @@ std::vector<FilmLayerSlot> slots_of(Rendering& rendering, const std::set<std::st
       add(std::string(chains_error), alone.standard_error);
   }
   for (const std::string& name : names)
-    if (const auto mutation = after(acceptance, name)) {
-      if (!names.contains(std::string(proposed) + *mutation))
-        throw std::runtime_error(fmt::format("it has no layer '{}{}'", proposed, *mutation));
+    if (const auto mutation = after(acceptance_prefix, name)) {
+      if (!names.contains(std::string(proposed_prefix) + *mutation))
+        throw std::runtime_error(fmt::format("it has no layer '{}{}'", proposed_prefix, *mutation));
       rendering.mutations.emplace_back().name = *mutation;
     }
   for (MutationRecord& mutation : rendering.mutations) {
-    add(std::string(acceptance) + mutation.name, mutation.acceptance_per_bin);
-    add(std::string(proposed) + mutation.name, mutation.proposed_per_bin);
+    add(std::string(acceptance_prefix) + mutation.name, mutation.acceptance_per_bin);
+    add(std::string(proposed_prefix) + mutation.name, mutation.proposed_per_bin);
   }
   return slots;
 }

@@ -20,6 +20,9 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// Throws Error unless `status`, of a call of the library, says that all is well.
+void check(int status, std::string_view what);
+
 // A file or one of its groups, that is written.  Names of dimensions are looked up in the group.
 class Writer {
  public:

@@ -8,11 +8,11 @@
 
 namespace wander::netcdf {
 
-namespace {
-
 void check(int status, std::string_view what) {
   if (status != NC_NOERR) throw Error(fmt::format("{}: {}", what, nc_strerror(status)));
 }
+
+namespace {
 
 // A file that claims more than this is not believed.
 constexpr std::size_t most_values = std::size_t{1} << 33;

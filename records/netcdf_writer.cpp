@@ -13,10 +13,6 @@ namespace wander::netcdf {
 
 namespace {
 
-void check(int status, std::string_view what) {
-  if (status != NC_NOERR) throw Error(fmt::format("{}: {}", what, nc_strerror(status)));
-}
-
 constexpr std::size_t first_size = 1 << 16;
 
 }  // namespace

@@ -27,9 +27,9 @@
 
 namespace wander {
 
-namespace {
+namespace compare {
 
-using namespace compare;
+namespace {
 
 // What is known before anything is sampled.
 std::optional<Reference> known_reference(const SceneDocument& document, const std::string& wanted,
@@ -211,7 +211,7 @@ std::string dials_help() {
   return text;
 }
 
-constexpr const char* details = R"(
+constexpr const char* compare_details = R"(
 Every method runs R times at every budget, each time with a seed of its own.  Contenders take turns
 in an order that rotates, so that a machine that grows hot or busy harms all alike.  Budgets are all
 samples (300k, 5M), all wall time (500ms, 30s, 2min) or all processor time, which other work on the
@@ -286,13 +286,16 @@ void add_options(Command verb, CompareOptions& options) {
 
 }  // namespace
 
+}  // namespace compare
+
 void add_compare(CLI::App& app, Global& global) {
+  using namespace compare;
   auto options = std::make_shared<CompareOptions>();
   auto task = std::make_shared<std::optional<CompareTask>>();
   Command verb = add_verb(app, "compare", "error against time and samples, method against method");
   add_options(verb, *options);
   add_global_options(verb, global);
-  verb.footer("\n" + dials_help() + details);
+  verb.footer("\n" + dials_help() + compare_details);
   examine_with(verb, global, [options, task, verb, &global](Examination& examination) {
     if (verb.count("--seed") > 0) options->seed = global.seed;
     *task = examine_compare(*options, global, examination);

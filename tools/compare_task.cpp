@@ -12,7 +12,7 @@
 
 namespace wander {
 
-using namespace compare;
+namespace compare {
 
 namespace {
 
@@ -170,8 +170,11 @@ std::optional<CompareTask> examine_continued(const CompareOptions& options, cons
 
 }  // namespace
 
+}  // namespace compare
+
 std::optional<CompareTask> examine_compare(const CompareOptions& options, const Global& global,
                                            Examination& examination) {
+  using namespace compare;
   return options.is_continuation ? examine_continued(options, global, examination)
                                  : examine_new(options, global, examination);
 }

@@ -13,6 +13,7 @@ void print_data(std::string_view text);
 void print_data(const FileWriter& write);
 // One JSON document, indented; numbers that are not finite become null.
 void print_json(const nlohmann::ordered_json& document);
+nlohmann::ordered_json finite_or_null(double x);  // in JSON
 
 // Text for people, on stderr as it is.  That nobody can read it is no failure.
 void print_note(std::string_view text);

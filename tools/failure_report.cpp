@@ -93,7 +93,7 @@ nlohmann::ordered_json error_document(const std::vector<Told>& all) {
 
 }  // namespace
 
-ExitCode report(const std::exception& problem, const Global& global) {
+ExitCode report_failure(const std::exception& problem, const Global& global) {
   const std::vector<Told> all = all_told(problem);
   for (const Told& one : all) {
     // Faults of a scene are lines FILE:LINE:COL: that editors follow, so nothing stands before

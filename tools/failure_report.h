@@ -11,6 +11,6 @@ namespace wander {
 
 // `problem` may be several at once (Failures).  A usage error among them decides the exit code, for
 // the command line must change anyway; else the first does.
-ExitCode report(const std::exception& problem, const Global& global);
+ExitCode report_failure(const std::exception& problem, const Global& global);
 
 }  // namespace wander

@@ -138,7 +138,7 @@ ExitCode import_scene(const ImportOptions& options, const Global& global) {
   return ExitCode::ok;
 }
 
-constexpr const char* details = R"(
+constexpr const char* import_details = R"(
 FILE.xml is a scene of Mitsuba 3 or 0.6.  What cannot be said exactly is an error, all of them at once with
 their places; with --approximate the nearest thing is imported instead, and each is listed on stderr and in
 the "description" of the scene.  What maps to what: docs/importing.md.
@@ -165,7 +165,7 @@ void add_import(CLI::App& app, Global& global) {
       .type_name("NAME=VALUE")
       .one_value_each_time();
   add_global_options(verb, global);
-  verb.footer(details);
+  verb.footer(import_details);
   examine_with(verb, global, [options, &global](Examination& examination) {
     examine(*options, global, examination);
   });

@@ -12,6 +12,7 @@
 #include "records/film_layers.h"
 #include "records/run_json.h"
 #include "statistics/number_text.h"
+#include "tools/console.h"
 #include "tools/inspection.h"
 #include "tools/summary.h"
 
@@ -21,10 +22,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json json_of(double x) {
-  return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
-}
-
 // `mean` is that of their luminance.
 ordered_json channel_means(const FilmEstimate& film) {
   const auto channels = static_cast<std::size_t>(channels_of(film.shape));
@@ -32,20 +29,20 @@ ordered_json channel_means(const FilmEstimate& film) {
   for (std::size_t i = 0; i < film.value.size(); ++i) sums[i % channels] += film.value[i];
   ordered_json json = ordered_json::object();
   for (std::size_t c = 0; c < channels; ++c)
-    json[std::string(channel_names(channels)[c])] =
-        json_of(sums[c] * static_cast<double>(channels) / static_cast<double>(film.value.size()));
+    json[std::string(channel_names(channels)[c])] = finite_or_null(
+        sums[c] * static_cast<double>(channels) / static_cast<double>(film.value.size()));
   return json;
 }
 
 ordered_json film_of(const FilmEstimate& film) {
   ordered_json json{{"shape", film.shape},
-                    {"degrees_of_freedom", json_of(film.degrees_of_freedom)}};
+                    {"degrees_of_freedom", finite_or_null(film.degrees_of_freedom)}};
   if (film.shape.size() > 1)
     json["channels"] = channel_names(static_cast<std::size_t>(channels_of(film.shape)));
   if (film.value.empty()) return json;
-  json["mean"] = json_of(mean_value(film));
+  json["mean"] = finite_or_null(mean_value(film));
   if (channels_of(film.shape) > 1) json["channel_means"] = channel_means(film);
-  json["relative_error"] = json_of(relative_error(film));
+  json["relative_error"] = finite_or_null(relative_error(film));
   json["reliable_share"] =
       static_cast<double>(reliable_bins(film)) / static_cast<double>(film.value.size());
   return json;
@@ -132,11 +129,11 @@ ordered_json compare_runs(const RunRecord& run, const RunRecord& reference) {
             {"samples", reference.rendering.samples},
             {"command_line", reference.provenance.command_line}}},
           {"same_scene", run.provenance.scene_sha256 == reference.provenance.scene_sha256},
-          {"relative_rmse", json_of(comparison.relative_rmse)},
+          {"relative_rmse", finite_or_null(comparison.relative_rmse)},
           {"bins", comparison.bins},
-          {"chi2_per_degree", json_of(comparison.chi2_per_degree)},
-          {"largest_z", json_of(comparison.largest_z)},
-          {"covered_share", json_of(comparison.covered_share)}};
+          {"chi2_per_degree", finite_or_null(comparison.chi2_per_degree)},
+          {"largest_z", finite_or_null(comparison.largest_z)},
+          {"covered_share", finite_or_null(comparison.covered_share)}};
 }
 
 std::string text_of_comparison(const ordered_json& comparison) {

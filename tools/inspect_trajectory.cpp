@@ -7,6 +7,7 @@
 
 #include "lab/wording.h"
 #include "records/run_json.h"
+#include "tools/console.h"
 #include "tools/inspection.h"
 #include "tools/summary.h"
 
@@ -62,10 +63,6 @@ ordered_json json_of(const Counts& counts) {
   return json;
 }
 
-ordered_json json_of(double x) {
-  return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
-}
-
 std::string shares(const Counts& counts, std::size_t size, std::size_t most) {
   std::string text;
   for (std::size_t i = 0; i < std::min(counts.size(), most); ++i)
@@ -91,8 +88,8 @@ ordered_json inspect_trajectory(const TrajectoryRecord& record) {
           {"every", t.every},
           {"seed", record.seed},
           {"normalization",
-           {{"value", json_of(record.normalization.value)},
-            {"standard_error", json_of(record.normalization.standard_error)}}},
+           {{"value", finite_or_null(record.normalization.value)},
+            {"standard_error", finite_or_null(record.normalization.standard_error)}}},
           {"mutations", json_of(mutations_of(t))},
           {"reasons", json_of(counts(t.reasons, t.reason))},
           {"classes", json_of(counts(t.classes, t.state.path_class))},

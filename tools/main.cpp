@@ -65,6 +65,6 @@ int main(int count, char** arguments) {
     }
     return static_cast<int>(run(app, global, {arguments + 1, arguments + count}));
   } catch (const std::exception& problem) {
-    return static_cast<int>(report(problem, global));
+    return static_cast<int>(report_failure(problem, global));
   }
 }

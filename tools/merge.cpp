@@ -79,7 +79,7 @@ ExitCode merge_runs(const MergeTask& task, const Global& global) {
   return ExitCode::ok;
 }
 
-constexpr const char* details = R"(
+constexpr const char* merge_details = R"(
 A DIR is that of a run, finished or interrupted, with the file `checkpoint` that `wander render` keeps
 there.  What comes out is one run of all their samples: film, error bars, normalization, statistics
 and diagnostics are made of all groups of chains, or of all samples, together; in which order the
@@ -103,7 +103,7 @@ void add_merge(CLI::App& app, Global& global) {
       .type_name("")
       .required();
   add_global_options(verb, global);
-  verb.footer(details);
+  verb.footer(merge_details);
   examine_with(verb, global,
                [task, &global](Examination& examination) { examine(*task, global, examination); });
   verb.callback(

@@ -270,7 +270,7 @@ void add_fluence_options(Command verb, const std::shared_ptr<PlotOptions>& optio
       .type_name("W");
 }
 
-constexpr const char* details = R"(
+constexpr const char* plot_details = R"(
 A scene is drawn with its lights (red, rays on the side that shines), its sensor (blue, pins on
 the side that listens) and its materials.  Films are drawn with 95 % intervals; bins that are not
 reliable are hatched.  Several runs share one figure.  Images stand beside maps of their relative
@@ -315,7 +315,7 @@ void add_plot(CLI::App& app, Global& global) {
   add_trajectory_options(verb, options);
   add_fluence_options(verb, options);
   add_global_options(verb, global);
-  verb.footer(details);
+  verb.footer(plot_details);
   auto figure = std::make_shared<Figure>();
   examine_with(verb, global, [options, figure, &global](Examination& examination) {
     examine(*options, global, *figure, examination);

@@ -120,7 +120,7 @@ std::string methods_help() {
   return text;
 }
 
-constexpr const char* details = R"(
+constexpr const char* render_details = R"(
 A budget is a number of samples (2000000, 300k, 5M), wall time (1500ms, 30s, 5min, 2h), processor
 time (30cpu-s), of all threads together, which other work on the machine does not use up, or the
 relative error of the film, sqrt(sum of se^2 / sum of value^2), at which to stop ('error<0.01', or
@@ -179,7 +179,7 @@ void add_render(CLI::App& app, Global& global) {
       .type_name("EV");
   add_dial_options(verb, options->given);
   add_global_options(verb, global);
-  verb.footer("\n" + methods_help() + details);
+  verb.footer("\n" + methods_help() + render_details);
   examine_with(verb, global, [options, task, verb, &global](Examination& examination) {
     if (verb.count("--seed") > 0) options->seed = global.seed;
     options->names_method = verb.count("--method") > 0;

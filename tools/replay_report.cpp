@@ -7,6 +7,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "tools/console.h"
+
 namespace wander {
 
 namespace {
@@ -74,11 +76,8 @@ void add_ratio(std::string& text, const Replay& replay) {
 
 // ---- JSON
 
-ordered_json json_of(double x) {
-  return std::isfinite(x) ? ordered_json(x) : ordered_json(nullptr);
-}
 ordered_json json_of(Scaled x) {
-  return {{"value", json_of(x.value())}, {"log", json_of(x.log())}};
+  return {{"value", finite_or_null(x.value())}, {"log", finite_or_null(x.log())}};
 }
 
 ordered_json json_of(const ReplayedPath& path) {
@@ -86,10 +85,10 @@ ordered_json json_of(const ReplayedPath& path) {
   for (const ReplayedVertex& v : path.vertices)
     vertices.push_back({{"position", v.position},
                         {"event", name_of(v.event)},
-                        {"value", json_of(v.value)},
-                        {"geometry", json_of(v.geometry)},
-                        {"from_light", json_of(v.from_light)},
-                        {"from_sensor", json_of(v.from_sensor)}});
+                        {"value", finite_or_null(v.value)},
+                        {"geometry", finite_or_null(v.geometry)},
+                        {"from_light", finite_or_null(v.from_light)},
+                        {"from_sensor", finite_or_null(v.from_sensor)}});
   vertices.back()["geometry"] = nullptr;
   return {{"path_class", path.path_class},
           {"film", path.film},
@@ -118,7 +117,7 @@ ordered_json json_of_replay(const Replay& replay) {
                     {"mutation", replay.mutation},
                     {"reason", name_of(replay.reason)},
                     {"accepted", replay.reason == Reason::none},
-                    {"acceptance_rate", json_of(replay.acceptance)},
+                    {"acceptance_rate", finite_or_null(replay.acceptance)},
                     {"x", json_of(replay.x)},
                     {"y", nullptr}};
   if (!replay.proposal) return json;

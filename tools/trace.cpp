@@ -195,7 +195,7 @@ TraceOptions::Step parse_step(const std::string& text) {
   return {static_cast<int>(chain), step};
 }
 
-constexpr const char* details = R"(
+constexpr const char* trace_details = R"(
 One draw is one step of a chain: what was proposed, every term of its acceptance
 probability, and the state after the decision.  A file with the ending .csv has one row
 per draw; any other is netCDF-4 and opens with arviz.from_netcdf.
@@ -244,7 +244,7 @@ void add_trace(CLI::App& app, Global& global) {
   Command verb = add_verb(app, "trace", "run Markov chains and record every mutation");
   add_trace_options(verb, options);
   add_global_options(verb, global);
-  verb.footer(details);
+  verb.footer(trace_details);
   examine_with(verb, global, [options, &global](Examination& examination) {
     examine(*options, global, examination);
   });

@@ -15,7 +15,7 @@
 namespace wander::report {
 namespace {
 
-constexpr std::size_t bars_per_figure = 8;
+constexpr std::size_t classes_per_figure = 8;
 using figure::most_classes;
 constexpr const char* rest = "all other classes";
 
@@ -62,9 +62,9 @@ void write_bars(Html& html, const Subject& subject, const std::vector<std::size_
     const std::size_t mark = classes[k] == rest ? most_classes : k;
     parts.push_back({classes[k], figure::class_fills()[mark], classes[k]});
   }
-  for (std::size_t first = 0; first < contenders.size(); first += bars_per_figure) {
+  for (std::size_t first = 0; first < contenders.size(); first += classes_per_figure) {
     std::vector<figure::ShareBar> bars;
-    for (std::size_t k = first; k < std::min(contenders.size(), first + bars_per_figure); ++k)
+    for (std::size_t k = first; k < std::min(contenders.size(), first + classes_per_figure); ++k)
       bars.push_back({subject.label(contenders[k]),
                       fmt::format("{} class{}", all[k].size(), all[k].size() == 1 ? "" : "es"),
                       folded(all[k], classes)});

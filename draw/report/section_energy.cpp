@@ -18,8 +18,6 @@ namespace {
 
 using Energies = std::vector<std::map<int, compare::Measured>>;  // by contender
 
-std::string unit_of(const Subject& subject) { return figure::film_axes(subject.scene).value.unit; }
-
 std::set<int> lengths_of(const Energies& energies) {
   std::set<int> lengths;
   for (const auto& energy : energies)
@@ -50,7 +48,7 @@ void write_chart(Html& html, const Subject& subject, const Energies& energies) {
           {.x = {.quantity = {"vertices of the path, both ends counted", ""},
                  .spacing = figure::Spacing::whole,
                  .range = figure::Range{*lengths.begin() - 0.5, *lengths.rbegin() + 0.5}},
-           .y = {.quantity = {"mean over the film", unit_of(subject)},
+           .y = {.quantity = {"mean over the film", subject.unit_of_bins()},
                  .spacing = figure::Spacing::logarithmic},
            .panels = {std::move(panel)}},
           "Light by path length",
@@ -115,7 +113,7 @@ void write_lengths(Html& html, const Subject& subject, const Energies& energies)
       const auto found = energies[k].find(vertices);
       cells.push_back(found == energies[k].end() ? "none" : with_interval(found->second));
     }
-    table.add_column({subject.label(k) + ", " + unit_of(subject)}, cells);
+    table.add_column({subject.label(k) + ", " + subject.unit_of_bins()}, cells);
   }
   write_folded(html, "Light by path length, in figures", table);
 }

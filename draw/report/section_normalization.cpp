@@ -24,8 +24,6 @@ namespace {
 constexpr double alarm = 4;
 constexpr std::size_t groups_per_figure = 4;
 
-std::string unit_of(const Subject& subject) { return figure::film_axes(subject.scene).value.unit; }
-
 std::vector<std::size_t> normalized_contenders(const Subject& subject) {
   std::vector<std::size_t> found;
   for (const std::size_t k : chain_contenders(subject))
@@ -104,7 +102,8 @@ std::optional<Estimate> reference_mean(const Subject& subject) {
 void write_estimates(Html& html, const Subject& subject) {
   const std::vector<std::size_t> contenders = normalized_contenders(subject);
   for (std::size_t first = 0; first < contenders.size(); first += groups_per_figure) {
-    figure::IntervalRows rows{.x = {.quantity = {"b, the mean of the film", unit_of(subject)}}};
+    figure::IntervalRows rows{
+        .x = {.quantity = {"b, the mean of the film", subject.unit_of_bins()}}};
     for (std::size_t k = first; k < std::min(contenders.size(), first + groups_per_figure); ++k)
       rows.groups.push_back(group_of(subject, contenders[k]));
     if (const auto mean = reference_mean(subject)) {
@@ -184,7 +183,7 @@ void write_lengths(Html& html, const Subject& subject) {
     std::vector<std::string> cells(names.size(), "none");
     for (const LengthShare& share : subject.details(k)->normalization->by_length)
       cells[row_of[share.vertices]] = note_of(share);
-    table.add_column({subject.label(k) + ", " + unit_of(subject)}, cells);
+    table.add_column({subject.label(k) + ", " + subject.unit_of_bins()}, cells);
   }
   write_folded(html, "b by path length, in figures", table);
 }

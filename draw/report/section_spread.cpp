@@ -17,7 +17,7 @@
 namespace wander::report {
 namespace {
 
-constexpr std::size_t most_steps = 400;
+constexpr std::size_t most_spread_steps = 400;
 // Of all lines of this section: so many steps are drawn that the page stays small.
 constexpr std::size_t most_points = 24'000;
 constexpr double thin = 0.4;
@@ -81,7 +81,7 @@ void write_seeds(Html& html, const Subject& subject) {
   std::size_t lines = 0;
   for (std::size_t k = 0; k < subject.contenders(); ++k) lines += subject.replicates(k).size() + 1;
   const std::size_t steps =
-      std::clamp<std::size_t>(most_points / std::max<std::size_t>(1, lines), 40, most_steps);
+      std::clamp<std::size_t>(most_points / std::max<std::size_t>(1, lines), 40, most_spread_steps);
   figure::Chart chart{
       .x = film_dimension(subject), .y = value_dimension(subject), .panel_height = 70};
   for (std::size_t k = 0; k < subject.contenders(); ++k)
@@ -122,7 +122,7 @@ void write_ratios(Html& html, const Subject& subject, const std::vector<SeedSpre
       panel.guides = {{1, ""}};
     }
     panel.series.push_back({.label = "",
-                            .points = steps_over_film(subject, spreads[k].ratio, most_steps),
+                            .points = steps_over_film(subject, spreads[k].ratio, most_spread_steps),
                             .look = {.stroke = {figure::style::films[0].colour, "none"}},
                             .marks = figure::Marks::none});
     chart.panels.push_back(std::move(panel));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "draw/figure/film_series.h"
 #include "scenes/format/scene_file.h"
 
 namespace wander::report {
@@ -11,6 +12,8 @@ std::vector<std::string> Subject::labels() const {
   for (const Contender& contender : runs().contenders) labels.push_back(contender.label);
   return labels;
 }
+
+std::string Subject::unit_of_bins() const { return figure::film_axes(scene).value.unit; }
 
 std::vector<const Run*> Subject::replicates(std::size_t contender, std::size_t budget) const {
   std::vector<const Run*> found;

@@ -39,6 +39,7 @@ struct Subject {
   bool is_image() const { return scene.dimension == 3; }
   // What a film is made of.
   const char* bins() const { return is_image() ? "numbers" : "bins"; }
+  std::string unit_of_bins() const;
   // Empty where there is no such cell.
   std::vector<Cell> cells(std::size_t contender) const;
   // The whole record of the first replicate at the last budget; null where it is missing.

@@ -100,10 +100,6 @@ class Seeds {
   std::set<std::uint64_t> taken_;
 };
 
-bool is_dark(const FilmEstimate& film) {
-  return std::ranges::none_of(film.value, [](double x) { return x > 0; });
-}
-
 std::vector<Part> parts_of(const std::vector<Maker>& makers) {
   std::vector<Part> parts;
   for (const Maker& maker : makers)

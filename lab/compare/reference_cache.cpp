@@ -83,11 +83,12 @@ std::optional<LongRuns> read(const fs::path& file, const Provenance& provenance)
   return runs;
 }
 
-std::string text_of(ordered_json document, const LongRuns& runs, const Provenance& provenance) {
+std::string cache_text(ordered_json document, const LongRuns& runs, const Provenance& provenance) {
   if (is_image(runs.runs.front().film.shape))
     return sealed(document.dump() + "\n" + archived(runs.runs));
   document["runs"] = ordered_json::array();
-  for (const Rendering& run : runs.runs) document["runs"].push_back(to_json({run, provenance}));
+  for (const Rendering& run : runs.runs)
+    document["runs"].push_back(to_json(RunRecord{run, provenance}));
   return document.dump(1) + "\n";
 }
 
@@ -149,7 +150,7 @@ void ReferenceCache::store(const LongRuns& runs, std::vector<std::string>& warni
   try {
     if (folder().empty()) throw std::runtime_error("neither XDG_CACHE_HOME nor HOME is set");
     fs::create_directories(folder());
-    write_file(file_of(runs), text_of(document, runs, provenance_));
+    write_file(file_of(runs), cache_text(document, runs, provenance_));
   } catch (const std::exception& problem) {
     warnings.push_back(
         fmt::format("the reference was not kept for the next time: {}", problem.what()));

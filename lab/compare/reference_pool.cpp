@@ -8,12 +8,11 @@
 #include "lab/film_pool.h"
 #include "lab/wording.h"
 #include "statistics/number_text.h"
+#include "statistics/squared.h"
 
 namespace wander::compare {
 
 namespace {
-
-double squared(double x) { return x * x; }
 
 double unit_of(const FilmEstimate& a, const FilmEstimate& b) {
   double unit = 0;  // squares stay finite

@@ -9,6 +9,7 @@
 #include "lab/film_pool.h"
 #include "lab/method.h"
 #include "mlt/seeds/nothing_found.h"
+#include "statistics/squared.h"
 
 namespace wander::compare {
 
@@ -19,8 +20,6 @@ constexpr double share = 0.03;                    // of the runs and a reference
 constexpr double shortest = 0.02, longest = 0.5;  // seconds of a run
 constexpr double fewest = 2'000, most = 200'000;  // samples of a run
 constexpr double evidence = 4;                    // squared standard errors
-
-double squared(double x) { return x * x; }
 
 // The reference of all checks first.
 std::vector<const Method*> methods_of_trial() {
@@ -54,10 +53,6 @@ double unseen(const FilmEstimate& film, const FilmEstimate& other, double unit) 
            evidence * squared(other.standard_error[b] / unit);
   }
   return std::max(sum, 0.0);
-}
-
-bool is_dark(const FilmEstimate& film) {
-  return std::ranges::none_of(film.value, [](double x) { return x > 0; });
 }
 
 Worth worth_of(const Candidate& candidate, double variance) {

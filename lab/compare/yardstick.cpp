@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "statistics/squared.h"
 #include "statistics/sum.h"
 
 namespace wander::compare {
@@ -17,8 +18,6 @@ double largest(const std::vector<double>& values) {
     if (std::isfinite(value)) result = std::max(result, std::abs(value));
   return result > 0 ? result : 1;
 }
-
-double squared(double x) { return x * x; }
 
 double over_bins(const Sum& sum, std::size_t bins) {
   return bins > 0 ? sum.value() / static_cast<double>(bins) : not_known;

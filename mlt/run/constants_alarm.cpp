@@ -11,14 +11,14 @@ namespace wander {
 namespace {
 
 // What the seed pass and the chains say of one part of the light.
-struct Part {
+struct ShareOfPart {
   double seeds = 0, chains = 0;
 };
-using Parts = std::map<std::string, Part>;
+using SharesOfParts = std::map<std::string, ShareOfPart>;
 
 // By class where the states of the chains have one, else by length.
-Parts parts_of(std::span<const GroupFindings> groups) {
-  Parts parts;
+SharesOfParts parts_of(std::span<const GroupFindings> groups) {
+  SharesOfParts parts;
   for (const GroupFindings& group : groups) {
     const auto& evidence = *group.evidence;
     if (!group.classes.empty() || group.scale == 0) {
@@ -29,7 +29,7 @@ Parts parts_of(std::span<const GroupFindings> groups) {
       continue;
     }
     for (std::size_t k = 0; k < group.seeds->sum.size(); ++k) {
-      Part& part = parts[fmt::format("of {} vertices", k + 2)];
+      ShareOfPart& part = parts[fmt::format("of {} vertices", k + 2)];
       part.seeds += group.seeds->sum[k].value();
       part.chains += group.scale * group.film->by_length()[k].value();
     }
@@ -46,8 +46,8 @@ std::string disagreement_of_constants(std::span<const GroupFindings> groups,
   const double error = std::hypot(seeds.b.standard_error, bridge.b.standard_error);
   const double difference = bridge.b.value - seeds.b.value;
   if (!(std::abs(difference) > largest_disagreement * error)) return {};
-  const Parts parts = parts_of(groups);
-  Part total;
+  const SharesOfParts parts = parts_of(groups);
+  ShareOfPart total;
   for (const auto& [name, part] : parts) {
     total.seeds += part.seeds;
     total.chains += part.chains;

@@ -7,7 +7,7 @@ namespace wander {
 
 namespace {
 
-int cells(const std::vector<int>& resolution) {
+int number_of_bins(const std::vector<int>& resolution) {
   int n = 1;
   for (const int r : resolution) n *= r;
   return n;
@@ -17,7 +17,7 @@ int cells(const std::vector<int>& resolution) {
 
 GroupsFilm::GroupsFilm(std::vector<int> resolution)
     : resolution_(std::move(resolution)),
-      mean_(static_cast<std::size_t>(cells(resolution_))),
+      mean_(static_cast<std::size_t>(number_of_bins(resolution_))),
       squares_(mean_.size()) {}
 
 void GroupsFilm::add(const GroupFilm& film, double b, std::uint64_t steps) {

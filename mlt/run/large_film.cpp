@@ -12,9 +12,9 @@ namespace wander {
 namespace {
 
 // All films of all runs, in their order.
-class Parts {
+class LightOfRuns {
  public:
-  explicit Parts(std::span<const SharedLight> runs) : runs_(runs) {
+  explicit LightOfRuns(std::span<const SharedLight> runs) : runs_(runs) {
     for (const SharedLight& run : runs) count_ += static_cast<std::size_t>(run.films->count());
   }
 
@@ -39,7 +39,7 @@ class Parts {
   std::size_t count_ = 0;
 };
 
-double pixels_in(const Parts& parts, std::span<const int> shape) {
+double pixels_in(const LightOfRuns& parts, std::span<const int> shape) {
   return static_cast<double>(parts.bins()) / channels_of(shape);
 }
 
@@ -77,7 +77,7 @@ bool is_reliable(std::size_t films, double value, double error) {
 
 FilmEstimate mean_film(const SharedLight& run, std::vector<int> shape) {
   const std::array runs{run};
-  const Parts parts(runs);
+  const LightOfRuns parts(runs);
   const double pixels = pixels_in(parts, shape), count = static_cast<double>(parts.count());
   FilmEstimate film{.shape = std::move(shape)};
   film.degrees_of_freedom = count - 1;
@@ -119,7 +119,7 @@ std::vector<double> without_films(std::span<const SharedLight> runs, const Const
 
 FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& constant,
                              std::vector<int> shape) {
-  const Parts parts(runs);
+  const LightOfRuns parts(runs);
   const std::vector<double> without = without_films(runs, constant), weights = parts.weights();
   const double pixels = pixels_in(parts, shape), b = constant.b.value;
   const int channels = channels_of(shape);

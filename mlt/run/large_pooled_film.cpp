@@ -110,10 +110,10 @@ void add_lengths(std::map<int, std::vector<double>>& films, const SharedLight& r
 }
 
 // All runs, by their weights.
-class Pool {
+class LargePool {
  public:
-  Pool(std::span<const SharedLight> runs, std::span<const GroupFindings> groups,
-       const Constant& constant, int channels)
+  LargePool(std::span<const SharedLight> runs, std::span<const GroupFindings> groups,
+            const Constant& constant, int channels)
       : b_(constant.b.value), without_(without_films(runs, constant)) {
     std::size_t first = 0;
     double all = 0;
@@ -200,7 +200,7 @@ class Pool {
 PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupFindings> groups,
                        const Constant& constant, std::vector<int> shape) {
   const int channels = channels_of(shape);
-  const Pool pool(runs, groups, constant, channels);
+  const LargePool pool(runs, groups, constant, channels);
   const double pixels = static_cast<double>(pool.bins()) / channels;
   const bool is_lit = pool.lit() >= static_cast<std::size_t>(GroupsFilm::fewest_groups);
   FilmEstimate film{.shape = std::move(shape)};

@@ -11,7 +11,7 @@ namespace wander {
 
 namespace {
 
-constexpr double fewest_effective_samples = 64, enough_effective_samples = 512;
+constexpr double fewest_samples_of_a_pilot = 64, enough_effective_samples = 512;
 constexpr double smallest_border = 0x1p-2, largest_border = 0x1p18,
                  border_of_all_light = 0x1p48;  // over b
 
@@ -153,7 +153,7 @@ double Pilot::effective_samples() const {
 }
 
 bool is_telling(const Pilot& pilot) {
-  return pilot.effective_samples() >= fewest_effective_samples;
+  return pilot.effective_samples() >= fewest_samples_of_a_pilot;
 }
 
 bool tells_enough(const Pilot& pilot) {

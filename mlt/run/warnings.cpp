@@ -33,7 +33,7 @@ constexpr std::size_t most_named = 3;
 // A budget that is still more times as large is no advice.
 constexpr double largest_factor = 100;
 
-constexpr std::size_t cells = 16;
+constexpr std::size_t cells_of_ranks = 16;
 
 // The cell of each draw: which sixteenth its rank is in.  Equal values are in one cell.
 std::vector<std::size_t> cells_of(const std::vector<double>& values) {
@@ -43,7 +43,7 @@ std::vector<std::size_t> cells_of(const std::vector<double>& values) {
   for (std::size_t first = 0, end = 0; first < order.size(); first = end) {
     while (end < order.size() && values[order[end]] == values[order[first]]) ++end;
     for (std::size_t i = first; i < end; ++i)
-      cell[order[i]] = cells * (first + end - 1) / (2 * order.size());
+      cell[order[i]] = cells_of_ranks * (first + end - 1) / (2 * order.size());
   }
   return cell;
 }
@@ -52,19 +52,20 @@ std::vector<std::size_t> cells_of(const std::vector<double>& values) {
 std::vector<double> counts_of(const Draws& draws, std::size_t chains_per_group) {
   const std::vector<std::size_t> cell = cells_of(draws.values);
   const std::size_t half = draws.length / 2;
-  std::vector<double> counts(draws.chains / chains_per_group * 2 * cells);
+  std::vector<double> counts(draws.chains / chains_per_group * 2 * cells_of_ranks);
   for (std::size_t c = 0; c < draws.chains; ++c)
     for (std::size_t i = 0; i < 2 * half; ++i)
-      ++counts[(c / chains_per_group * 2 + i / half) * cells + cell[c * draws.length + i]];
+      ++counts[(c / chains_per_group * 2 + i / half) * cells_of_ranks + cell[c * draws.length + i]];
   return counts;
 }
 
 // F of a cell.
 double spread_ratio(const std::vector<double>& counts, std::size_t k) {
   double sum = 0, squares = 0, within = 0;
-  const std::size_t groups = counts.size() / (2 * cells);
+  const std::size_t groups = counts.size() / (2 * cells_of_ranks);
   for (std::size_t g = 0; g < groups; ++g) {
-    const double first = counts[2 * g * cells + k], second = counts[(2 * g + 1) * cells + k];
+    const double first = counts[2 * g * cells_of_ranks + k],
+                 second = counts[(2 * g + 1) * cells_of_ranks + k];
     const double mean = (first + second) / 2;
     sum += mean;
     squares += mean * mean;
@@ -180,12 +181,12 @@ Disagreement disagreement(const Draws& draws, std::size_t chains_per_group) {
   if (!std::ranges::all_of(draws.values, [](double v) { return std::isfinite(v); })) return {};
   const std::vector<double> counts = counts_of(draws, chains_per_group);
   double worst = 0;
-  for (std::size_t k = 0; k < cells; ++k) worst = std::max(worst, spread_ratio(counts, k));
+  for (std::size_t k = 0; k < cells_of_ranks; ++k) worst = std::max(worst, spread_ratio(counts, k));
   if (std::isinf(worst)) return {worst, 0};
   const auto n = static_cast<double>(groups);
   const boost::math::fisher_f expected(n - 1, n);
   const double p = boost::math::cdf(boost::math::complement(expected, worst));
-  return {std::sqrt(worst), std::min(1.0, static_cast<double>(cells) * p)};
+  return {std::sqrt(worst), std::min(1.0, static_cast<double>(cells_of_ranks) * p)};
 }
 
 std::vector<std::string> warnings(const Evidence& evidence) {

@@ -113,7 +113,7 @@ Material<W> build_material(const description::MaterialKind& kind) {
   return std::visit(MaterialBuilder<W>{}, kind);
 }
 
-std::shared_ptr<const Texture> texture_of(const description::MaterialKind& kind) {
+static std::shared_ptr<const Texture> texture_of(const description::MaterialKind& kind) {
   return std::visit(
       [](const auto& material) -> std::shared_ptr<const Texture> {
         if constexpr (requires { material.reflectance; })

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "scenes/format/lint_bounds.h"
 #include "scenes/format/lint_space.h"
 #include "scenes/format/scene_file_pieces.h"
 
@@ -20,12 +21,9 @@ namespace {
 
 // In units of the scene's diameter.
 constexpr double near = 1e-6;
-constexpr double smallest_feature = 1e-12;
-constexpr double most_remote = 1e6;
 
 // What the comparison of pairs may cost: most are far apart, which costs little to see.
 constexpr std::int64_t most_effort = 32'000'000, effort_for_near_pairs = 16;
-constexpr std::size_t most_warnings = 100;
 
 // One end of an open piece, and what it nearly meets.
 struct End {

@@ -1,4 +1,5 @@
 #include "scenes/format/lint_space.h"
+#include "scenes/format/lint_bounds.h"
 
 #include <fmt/format.h>
 
@@ -15,14 +16,9 @@ namespace {
 using Point = glm::dvec3;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// In units of the scene's diameter.
-constexpr double smallest_feature = 1e-12;
-constexpr double most_remote = 1e6;
-
-constexpr std::size_t most_warnings = 100;
 constexpr std::size_t most_pairs = 10'000'000;
 
-Point vector(const description::Coordinates& c) { return {c[0], c[1], c[2]}; }
+Point point_of(const description::Coordinates& c) { return {c[0], c[1], c[2]}; }
 
 // A triangle or parallelogram: corner + u edge0 + v edge1.
 struct Sheet {
@@ -62,7 +58,7 @@ struct Measured {
   std::optional<Sheet> sheet;            // that face, if it is flat
 
   void operator()(const description::Triangle& s) {
-    const Point a = vector(s.points[0]), b = vector(s.points[1]), c = vector(s.points[2]);
+    const Point a = point_of(s.points[0]), b = point_of(s.points[1]), c = point_of(s.points[2]);
     for (const Point& p : {a, b, c}) extent.include(p);
     ++faces;
     if (glm::cross(b - a, c - a) == Point(0)) {
@@ -74,7 +70,7 @@ struct Measured {
   }
   void operator()(const description::Parallelogram& s) {
     ++faces;
-    sheet = Sheet{vector(s.origin), vector(s.edges[0]), vector(s.edges[1])};
+    sheet = Sheet{point_of(s.origin), point_of(s.edges[0]), point_of(s.edges[1])};
     for (const double u : {0, 1})
       for (const double v : {0, 1})
         extent.include(sheet->corner + u * sheet->edge0 + v * sheet->edge1);
@@ -82,8 +78,8 @@ struct Measured {
   }
   void operator()(const description::Sphere& s) {
     ++faces;
-    extent.include(vector(s.center) - s.radius);
-    extent.include(vector(s.center) + s.radius);
+    extent.include(point_of(s.center) - s.radius);
+    extent.include(point_of(s.center) + s.radius);
     feature = s.radius;
   }
 };
@@ -98,9 +94,9 @@ Measured measured(const description::ShapeKind& kind) {
   return shape;
 }
 
-class Lint {
+class LintOfSpace {
  public:
-  explicit Lint(const description::Scene& scene) : scene_(scene) {
+  explicit LintOfSpace(const description::Scene& scene) : scene_(scene) {
     Extent all;
     for (const description::Shape& shape : scene.shapes) {
       measured_.push_back(measured(shape.kind));
@@ -179,6 +175,8 @@ class Lint {
 
 }  // namespace
 
-std::vector<Fault> lint_space(const description::Scene& scene) { return Lint(scene).warnings(); }
+std::vector<Fault> lint_space(const description::Scene& scene) {
+  return LintOfSpace(scene).warnings();
+}
 
 }  // namespace wander

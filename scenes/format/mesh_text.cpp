@@ -12,7 +12,6 @@ namespace wander {
 
 namespace {
 
-constexpr double largest_coordinate = 1e150;  // as in a scene
 constexpr std::string_view spaces = " \t\r\v\f";
 
 // A sign + is none of from_chars.

@@ -9,6 +9,8 @@
 
 namespace wander {
 
+constexpr double largest_coordinate = 1e150;  // as in a scene
+
 class MeshText {
  public:
   explicit MeshText(std::string_view text) : left_(text) {}

@@ -20,7 +20,7 @@ namespace wander {
 
 namespace {
 
-constexpr std::size_t largest_file = std::size_t{64} << 20;
+constexpr std::size_t largest_scene_file = std::size_t{64} << 20;
 
 std::string lines_of(const std::string& file, const std::vector<Fault>& faults) {
   std::string lines;
@@ -69,15 +69,16 @@ std::vector<JsonFault> faults_in(const JsonDocument& document, std::vector<JsonF
 }
 
 void refuse_if_large(std::size_t size, const std::string& file) {
-  if (size > largest_file)
-    refuse(file, fmt::format("the file is too large; a scene may have {} MiB", largest_file >> 20));
+  if (size > largest_scene_file)
+    refuse(file,
+           fmt::format("the file is too large; a scene may have {} MiB", largest_scene_file >> 20));
 }
 
 // Not more than it takes to see that there is too much: the stream may have no end.
 std::string contents_of(std::istream& stream) {
   std::string text;
   std::string block(std::size_t{1} << 20, '\0');
-  while (stream && text.size() <= largest_file) {
+  while (stream && text.size() <= largest_scene_file) {
     stream.read(block.data(), static_cast<std::streamsize>(block.size()));
     text.append(block, 0, static_cast<std::size_t>(stream.gcount()));
   }

@@ -9,9 +9,10 @@
 
 namespace wander {
 
+namespace description {
+
 namespace {
 
-using namespace description;
 using nlohmann::ordered_json;
 
 Coordinates coordinates(const ordered_json& point) {
@@ -135,12 +136,16 @@ ShapeKind kind_named(std::string_view name, const ordered_json& shape) {
 
 }  // namespace
 
-ShapeKind build_shape_kind(const ordered_json& shape) {
+}  // namespace description
+
+description::ShapeKind build_shape_kind(const nlohmann::ordered_json& shape) {
+  using namespace description;
   return kind_named(shape.at("type").get_ref<const std::string&>(), shape);
 }
 
 description::Scene build_description(const JsonDocument& document, std::string_view text,
                                      const SceneMeshes& meshes, const SceneTextures& textures) {
+  using namespace description;
   const ordered_json& root = *document.root().value;
   description::Scene scene;
   scene.name = root.value("name", "");

@@ -10,14 +10,13 @@
 
 #include "scenes/format/json_text.h"
 #include "scenes/format/mesh_file.h"
+#include "scenes/format/mesh_text.h"
 #include "scenes/format/scene_file_build.h"
 #include "scenes/format/scene_textures.h"
 
 namespace wander {
 
 namespace {
-
-constexpr double largest_coordinate = 1e150;  // as in a scene
 
 using Point = glm::dvec3;
 

@@ -19,7 +19,7 @@ constexpr std::size_t most_facets = 5000, most_points = 1000;
 constexpr std::size_t most_comparisons = 100'000'000;
 constexpr double slack = 1e-6;  // of the scene's size
 
-struct Box {
+struct Extent {
   Point low{std::numeric_limits<double>::infinity()},
       high{-std::numeric_limits<double>::infinity()};
 
@@ -39,10 +39,10 @@ Point point(const Triangles& mesh, std::int32_t index) {
   return {p[0], p[1], p[2]};
 }
 
-Box box_of(std::span<const Point> points) {
-  Box box;
-  for (const Point p : points) box.add(p);
-  return box;
+Extent extent_of(std::span<const Point> points) {
+  Extent extent;
+  for (const Point p : points) extent.add(p);
+  return extent;
 }
 
 // Each edge has one triangle on either side; points at the same place are one.
@@ -76,7 +76,7 @@ class Onlookers {
  public:
   Onlookers(std::span<const PlacedSurface> surfaces, std::span<const Point> eyes)
       : surfaces_(surfaces), eyes_(eyes) {
-    Box all = box_of(eyes);
+    Extent all = extent_of(eyes);
     for (const PlacedSurface& surface : surfaces)
       for (const Point p : surface.points) all.add(p);
     const Point size = all.high - all.low;
@@ -88,10 +88,10 @@ class Onlookers {
     if (surface.back == PlacedSurface::Back::same) return false;
     if (surface.enclosure == PlacedSurface::Enclosure::open)
       return surface.facets.corners.empty() || are_behind_facets(index);
-    const Box box = box_of(surface.points);
+    const Extent extent = extent_of(surface.points);
     if (surface.enclosure == PlacedSurface::Enclosure::front_inside)
-      return any(index, [&](Point p) { return !box.holds(p, -slack_); });
-    return any(index, [&](Point p) { return box.holds(p, slack_) && is_inside(surface, p); });
+      return any(index, [&](Point p) { return !extent.holds(p, -slack_); });
+    return any(index, [&](Point p) { return extent.holds(p, slack_) && is_inside(surface, p); });
   }
 
  private:
@@ -109,7 +109,7 @@ class Onlookers {
   }
 
   // By the solid angle that the facets cover [Van Oosterom and Strackee 1983]; of a surface with too
-  // many, whatever is in its box.
+  // many, whatever is in its extent.
   bool is_inside(const PlacedSurface& surface, Point p) {
     if (surface.radius > 0) return glm::length(p - surface.center) < surface.radius - slack_;
     if (surface.facets.corners.empty()) return true;

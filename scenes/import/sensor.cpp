@@ -11,6 +11,7 @@
 
 #include "scenes/format/json_text.h"
 #include "scenes/import/number_words.h"
+#include "scenes/import/placing.h"
 #include "scenes/import/plugin.h"
 
 namespace wander {
@@ -18,11 +19,9 @@ namespace wander {
 namespace {
 
 using nlohmann::ordered_json;
-using Vector = glm::dvec3;
+using placing::Vector;
 
 constexpr double degree = std::numbers::pi / 180;
-
-ordered_json json_of(Vector v) { return {v.x + 0.0, v.y + 0.0, v.z + 0.0}; }
 
 class SensorReader {
  public:
@@ -78,9 +77,9 @@ class SensorReader {
     if (glm::determinant(linear) < 0)
       inexact(where, "a picture that its transform mirrors", "one that is not mirrored");
     result.position = Vector(matrix[3]);
-    result.camera["position"] = json_of(result.position);
-    result.camera["target"] = json_of(result.position + glm::normalize(linear[2]));
-    result.camera["up"] = json_of(glm::normalize(linear[1]));
+    result.camera["position"] = placing::json_of(result.position);
+    result.camera["target"] = placing::json_of(result.position + glm::normalize(linear[2]));
+    result.camera["up"] = placing::json_of(glm::normalize(linear[1]));
   }
 
   void read_film() {

@@ -8,9 +8,9 @@ namespace wander {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-using Point = std::array<double, 3>;
+using Corner = std::array<double, 3>;
 
-Point on_circle(int i, double radius, double z) {
+Corner on_circle(int i, double radius, double z) {
   const double angle = 2 * pi * i / sides_of_round;
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
@@ -21,7 +21,7 @@ double area_of(const Triangles& mesh) {
     const auto& a = mesh.points[static_cast<std::size_t>(corners[0])];
     const auto& b = mesh.points[static_cast<std::size_t>(corners[1])];
     const auto& c = mesh.points[static_cast<std::size_t>(corners[2])];
-    const Point u{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    const Corner u{b[0] - a[0], b[1] - a[1], b[2] - a[2]}, v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
     area += std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
                        u[0] * v[1] - u[1] * v[0]) /
             2;
@@ -88,7 +88,7 @@ Triangles unit_sphere() {
     sphere.corners.push_back({at(rings - 1, i + 1), at(rings - 1, i), last});
   }
   const double scale = std::sqrt(4 * pi / area_of(sphere));
-  for (Point& point : sphere.points)
+  for (Corner& point : sphere.points)
     for (double& x : point) x *= scale;
   return sphere;
 }

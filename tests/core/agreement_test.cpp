@@ -8,7 +8,7 @@
 #include "tests/support/core_scenes.h"
 #include "tests/support/expect.h"
 
-namespace wander::test {
+namespace wander::test::agreement_test {
 
 using namespace exact;
 namespace {
@@ -108,4 +108,4 @@ TEST(Heuristics, ChangeNoExpectation) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::agreement_test

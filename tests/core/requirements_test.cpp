@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace wander {
+namespace wander::requirements_test {
 namespace {
 
 using description::Scene;
@@ -96,4 +96,4 @@ TEST(Requirements, GlossIsRoughnessThatReflectsOrRefracts) {
 }
 
 }  // namespace
-}  // namespace wander
+}  // namespace wander::requirements_test

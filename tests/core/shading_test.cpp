@@ -8,7 +8,7 @@
 #include "tests/core/geometry/meshes.h"
 #include "tests/support/expect.h"
 
-namespace wander::test {
+namespace wander::test::shading_test {
 namespace {
 
 using W = Spaceland;
@@ -317,4 +317,4 @@ TEST(Shading, SamplesWhatItHasADensityOf) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::shading_test

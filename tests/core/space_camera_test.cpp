@@ -9,7 +9,7 @@
 #include "tests/core/directions.h"
 #include "tests/support/expect.h"
 
-namespace wander::test {
+namespace wander::test::space_camera_test {
 namespace {
 
 using SpaceCamera = Camera<Spaceland>;
@@ -110,4 +110,4 @@ TEST(SpaceCameras, KeepThePlaneOfFocusSharp) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::space_camera_test

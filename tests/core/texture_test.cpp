@@ -12,7 +12,7 @@
 #include "tests/support/coloured_box.h"
 #include "tests/support/expect.h"
 
-namespace wander::test {
+namespace wander::test::texture_test {
 namespace {
 
 using Uv = std::array<double, 2>;
@@ -264,4 +264,4 @@ TEST(Texturing, ScalesValueColourAndSurvivalAlone) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::texture_test

@@ -14,7 +14,7 @@
 
 #include "tests/tools/command_line.h"
 
-namespace wander::test {
+namespace wander::test::readme_test {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -276,4 +276,4 @@ TEST(Commands, ControlsOfTheirRules) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::readme_test

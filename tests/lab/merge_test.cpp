@@ -11,7 +11,7 @@
 #include "records/run_json.h"
 #include "tests/support/test_scenes.h"
 
-namespace wander::test {
+namespace wander::test::merge_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -282,4 +282,4 @@ TEST(Merging, ThatCannotReadAStateSaysSo) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::merge_test

@@ -13,7 +13,7 @@
 #include "tests/support/films.h"
 #include "tests/support/test_scenes.h"
 
-namespace wander::test {
+namespace wander::test::precision_films_test {
 namespace {
 
 constexpr int bins = 8;
@@ -122,4 +122,4 @@ TEST_P(TurnedFilms, AreTheSameWithinTheirErrors) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::precision_films_test

@@ -9,7 +9,7 @@
 #include "tests/support/primary_runs.h"
 #include "tests/support/test_scenes.h"
 
-namespace wander::test {
+namespace wander::test::primary_trace_test {
 namespace {
 
 using Flat = Transport<Flatland>;
@@ -159,4 +159,4 @@ TEST(LengthsOfChains, LastAsLongAsGroupsHaveSeedsOfThem) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::primary_trace_test

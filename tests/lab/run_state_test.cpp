@@ -13,7 +13,7 @@
 #include "records/run_json.h"
 #include "tests/support/test_scenes.h"
 
-namespace wander::test {
+namespace wander::test::run_state_test {
 namespace {
 
 using nlohmann::ordered_json;
@@ -204,7 +204,7 @@ struct InWorld {
 
 TEST(CarriedOn, ToTheSameSamplesOrErrorHasTheSameBits) {
   for (const char* method : {"bdpt", "mlt"})
-    for (const Budget& budget : {Budget{SampleBudget{250'001}}, Budget{ErrorBudget{0.05}}}) {
+    for (const Budget& budget : {Budget{SampleBudget{50'001}}, Budget{ErrorBudget{0.05}}}) {
       SCOPED_TRACE(method);
       expect_carried_on(budget, [&](const wander::Run& execution) {
         return std::make_unique<InWorld>(method, execution);
@@ -259,4 +259,4 @@ TEST(CarriedOn, IndependentSamplesToALargerBudgetAreThoseOfOneRun) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::run_state_test

@@ -19,7 +19,7 @@
 #include "tests/support/films.h"
 #include "tests/support/space_maker.h"
 
-namespace wander::test {
+namespace wander::test::space_extruded_test {
 namespace {
 
 constexpr int bins = 4, max_vertices = 12;
@@ -92,4 +92,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, DrawnOutRoom,
                          [](const auto& info) { return std::string(info.param.method); });
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::space_extruded_test

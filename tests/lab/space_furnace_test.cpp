@@ -12,7 +12,7 @@
 #include "tests/support/films.h"
 #include "tests/support/space_maker.h"
 
-namespace wander::test {
+namespace wander::test::space_furnace_test {
 namespace {
 
 using Colour = std::array<double, 3>;
@@ -76,4 +76,4 @@ TEST_P(FurnaceOfAMesh, HasTheRadianceThatIsKnown) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::space_furnace_test

@@ -12,7 +12,7 @@
 #include "mutations/catalogue.h"
 #include "tests/support/test_scenes.h"
 
-namespace wander::test {
+namespace wander::test::trace_test {
 namespace {
 
 using Flat = Transport<Flatland>;
@@ -358,4 +358,4 @@ TEST(TraceFailures, AnInterruptedTraceIsCutToEqualLength) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::trace_test

@@ -14,7 +14,7 @@
 #include "tests/support/kirchhoff.h"
 #include "tests/support/wrong_twins.h"
 
-namespace wander::test {
+namespace wander::test::kirchhoff_test {
 namespace {
 
 using W = Flatland;
@@ -172,4 +172,4 @@ TEST_P(KirchhoffFurnace, RanksOfAWrongTwinAreNot) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::kirchhoff_test

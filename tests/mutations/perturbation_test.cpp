@@ -12,7 +12,7 @@
 #include "tests/support/space_box.h"
 #include "tests/support/test_scenes.h"
 
-namespace wander::test {
+namespace wander::test::perturbation_test {
 namespace {
 
 constexpr PerturbationRange wide{.position{1e-3, 0.4}, .angle{1e-3, 0.7}};
@@ -290,4 +290,4 @@ TEST(Reciprocity, TurnsTheLensPerturbationIntoTheCausticPerturbation) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::perturbation_test

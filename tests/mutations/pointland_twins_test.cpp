@@ -7,7 +7,7 @@
 #include "tests/support/enumeration.h"
 #include "tests/support/pointland_moves.h"
 
-namespace wander::test {
+namespace wander::test::pointland_twins_test {
 
 namespace {
 
@@ -115,4 +115,4 @@ TEST(PointlandTwins, RetryingFailedProposalsBreaksTheInvariance) {
   EXPECT_GT(d.invariance, least_defect);
 }
 
-}  // namespace wander::test
+}  // namespace wander::test::pointland_twins_test

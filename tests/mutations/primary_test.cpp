@@ -13,7 +13,7 @@
 #include "tests/support/test_scenes.h"
 #include "tests/support/wrong_twins.h"
 
-namespace wander::test {
+namespace wander::test::primary_test {
 namespace {
 
 // ---- one coordinate
@@ -199,4 +199,4 @@ INSTANTIATE_TEST_SUITE_P(Rooms, InverseMap,
                          });
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::primary_test

@@ -10,7 +10,7 @@
 #include "tests/support/quadrature.h"
 #include "tests/support/wrong_twins.h"
 
-namespace wander::test {
+namespace wander::test::space_density_test {
 namespace {
 
 using W = Spaceland;
@@ -215,4 +215,4 @@ TEST_F(LargeStepInSpace, ProposesTwoVerticesWithTheDensityThatItClaims) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::space_density_test

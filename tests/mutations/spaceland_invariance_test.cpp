@@ -10,7 +10,7 @@
 #include "tests/support/perturbation_twins.h"
 #include "tests/support/space_box.h"
 
-namespace wander::test {
+namespace wander::test::spaceland_invariance_test {
 namespace {
 
 using Space = Transport<Spaceland>;
@@ -67,4 +67,4 @@ TEST(WrongBox, WithoutACosineOrWithOneDistanceLessIsCaught) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::spaceland_invariance_test

@@ -14,7 +14,7 @@
 #include "records/tone.h"
 #include "tests/support/images.h"
 
-namespace wander::test {
+namespace wander::test::image_png_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -102,4 +102,4 @@ TEST_F(ImagePng, IsShownInColour) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::image_png_test

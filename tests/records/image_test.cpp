@@ -27,7 +27,7 @@
 #include "records/trajectory_netcdf.h"
 #include "tests/support/images.h"
 
-namespace wander::test {
+namespace wander::test::image_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -334,4 +334,4 @@ TEST_F(Image, LeavesNoFileOfTheRowOfBinsThatItReplaces) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::image_test

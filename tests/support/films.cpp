@@ -8,10 +8,10 @@ namespace wander::test {
 namespace {
 
 // t = (x - y) / √(a + b),  ν = (a + b)² / (a²/ν_x + b²/ν_y),  a and b the squared standard errors.
-struct Welch {
+struct WelchOfBin {
   double t = 0, p_value = 0;
 };
-Welch welch(const FilmEstimate& x, const FilmEstimate& y, std::size_t bin) {
+WelchOfBin welch_of_bin(const FilmEstimate& x, const FilmEstimate& y, std::size_t bin) {
   const double a = x.standard_error[bin] * x.standard_error[bin];
   const double b = y.standard_error[bin] * y.standard_error[bin];
   const double t = (x.value[bin] - y.value[bin]) / std::sqrt(a + b);
@@ -29,7 +29,7 @@ Decision films_agree(const FilmEstimate& a, const FilmEstimate& b, double false_
   for (std::size_t bin = 0; bin < a.value.size(); ++bin) {
     if (!a.reliable[bin] || !b.reliable[bin]) continue;
     ++decision.comparisons;
-    const Welch w = welch(a, b, bin);
+    const WelchOfBin w = welch_of_bin(a, b, bin);
     if (decision.comparisons > 1 && w.p_value >= decision.p_value) continue;
     decision.p_value = w.p_value;
     decision.statistic = w.t;

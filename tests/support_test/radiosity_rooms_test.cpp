@@ -7,7 +7,7 @@
 
 #include "core/exact/radiosity.h"
 
-namespace wander::test {
+namespace wander::test::radiosity_rooms_test {
 
 using namespace exact;
 namespace {
@@ -162,4 +162,4 @@ TEST(RadiosityRooms, AMissingOccluderIsSeen) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::radiosity_rooms_test

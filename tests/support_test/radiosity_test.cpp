@@ -11,7 +11,7 @@
 #include "core/description.h"
 #include "tests/support/reference_values.h"
 
-namespace wander::test {
+namespace wander::test::radiosity_test {
 
 using namespace exact;
 namespace {
@@ -219,4 +219,4 @@ TEST(Radiosity, WhatItCannotSolveIsRefused) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::radiosity_test

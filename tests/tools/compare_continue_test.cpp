@@ -10,13 +10,13 @@ namespace {
 
 // SIGKILL at random moments, from the start of the program; then as a user would go on.
 TEST_F(ContinuingComparison, KilledAnywhereItHasTheNumbersOfOneThatNeverStopped) {
-  const std::string all = "box.json -m bdpt,mlt,mmlt -b 10k,30k --replicates 8 -q -o ";
+  const std::string all = "box.json -m bdpt,mlt,mmlt -b 10k,20k --replicates 4 -q -o ";
   ASSERT_EQ(compare(all + "whole").exit_code, 0);
   std::mt19937_64 random(1);
   int killed = 0;
   for (int kill = 0; kill < 8; ++kill) {
     const std::string command = exists("cut/kept/plan") ? "--continue -q -o " : all;
-    const double seconds = 0.05 + 0.4 * std::uniform_real_distribution()(random);
+    const double seconds = 0.05 + 0.2 * std::uniform_real_distribution()(random);
     const Outcome outcome =
         shell("export XDG_CACHE_HOME=\"$PWD/cache\"; timeout -s KILL " + std::to_string(seconds) +
               " \"$WANDER\" compare " + command + "cut -t " + std::to_string(1 + kill % 3));

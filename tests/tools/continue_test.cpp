@@ -20,11 +20,11 @@ class Continuing : public KilledRuns {
 TEST_F(Continuing, KilledAnywhereItHasTheSameBits) {
   expect_same_after_kills("bdpt", "1M", 4, 1);
   for (const char* method : {"mlt", "pssmlt", "mmlt --precision float"})
-    expect_same_after_kills(method, "200k", 4, 1);
+    expect_same_after_kills(method, "60k", 4, 1);
 }
 
 TEST_F(Continuing, AnInterruptedRunGoesOnToItsEnd) {
-  const std::string run = "render box.json -m mlt -b 600k -q -o ";
+  const std::string run = "render box.json -m mlt -b 150k -q -o ";
   ASSERT_EQ(wander(run + "whole").exit_code, 0);
   const std::string interrupted_once_it_samples =
       "\"$WANDER\" " + run +

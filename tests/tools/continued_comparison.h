@@ -46,7 +46,7 @@ class ContinuingComparison : public CompareCommand {
 
   // Interrupted amid its runs, then carried on.
   void expect_to_go_on(const std::string& scene) {
-    const std::string all = scene + " -m pt,mlt -b 300k --replicates 3 -o ";
+    const std::string all = scene + " -m pt,mlt -b 80k --replicates 3 -o ";
     const Outcome first = interrupted_at("replicate [23] ", all + "cut");
     ASSERT_EQ(first.exit_code, 130) << first.err;
     const json before = numbers_in("cut");
@@ -57,7 +57,7 @@ class ContinuingComparison : public CompareCommand {
     const Outcome second = compare("--continue -o cut");
     ASSERT_EQ(second.exit_code, 0) << second.err;
     EXPECT_HAS(second.err, "carried on from " + std::to_string(made) + " of 6 runs");
-    EXPECT_HAS(second.err, std::to_string(6 - made) + " runs of 300k: about ");
+    EXPECT_HAS(second.err, std::to_string(6 - made) + " runs of 80k: about ");
     const json after = numbers_in("cut");
     EXPECT_TRUE(after["complete"]);
     EXPECT_EQ(after["runs"].size(), 6u);
@@ -71,7 +71,7 @@ class ContinuingComparison : public CompareCommand {
     const Outcome third = compare("--continue -o cut");
     EXPECT_EQ(third.exit_code, 0) << third.err;
     EXPECT_HAS(third.err, "carried on from 6 of 6 runs");
-    EXPECT_LACKS(third.err, "runs of 300k");
+    EXPECT_LACKS(third.err, "runs of 80k");
     EXPECT_EQ(kept_runs(), parts);
     EXPECT_EQ(numbers_in("cut"), after);
   }

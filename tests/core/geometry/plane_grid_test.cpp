@@ -7,7 +7,7 @@
 
 #include "core/rng.h"
 
-namespace wander::test {
+namespace wander::test::plane_grid_test {
 namespace {
 
 using Point = PlaneGrid::Point;
@@ -64,4 +64,4 @@ TEST(PlaneGrid, ALineOutsideOrOfNoLengthCrossesNothing) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::plane_grid_test

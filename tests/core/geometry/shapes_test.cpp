@@ -8,7 +8,7 @@
 #include "tests/core/directions.h"
 #include "tests/support/expect.h"
 
-namespace wander::test {
+namespace wander::test::shapes_test {
 namespace {
 
 using Line = Segment<Flatland>;
@@ -207,4 +207,4 @@ TYPED_TEST(Shapes, AreBlindToPowersOfTwo) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::shapes_test

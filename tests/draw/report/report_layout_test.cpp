@@ -9,7 +9,7 @@
 #include "tests/draw/report/comparison_maker.h"
 #include "tests/draw/report/report_checks.h"
 
-namespace wander {
+namespace wander::report_layout_test {
 namespace {
 
 using test::Element;
@@ -196,4 +196,4 @@ TEST(ReportLayout, TextStandsOutFromItsGround) {
 }
 
 }  // namespace
-}  // namespace wander
+}  // namespace wander::report_layout_test

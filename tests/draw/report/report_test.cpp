@@ -6,7 +6,7 @@
 #include "tests/draw/report/comparison_maker.h"
 #include "tests/draw/report/report_checks.h"
 
-namespace wander {
+namespace wander::report_test {
 namespace {
 
 using compare::Comparison;
@@ -136,4 +136,4 @@ TEST(Report, GivesTheCommandOfEveryRun) {
 }
 
 }  // namespace
-}  // namespace wander
+}  // namespace wander::report_test

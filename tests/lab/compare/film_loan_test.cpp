@@ -11,7 +11,7 @@
 #include "lab/compare/film_files.h"
 #include "tests/support/images.h"
 
-namespace wander::test {
+namespace wander::test::film_loan_test {
 namespace {
 
 using namespace compare;
@@ -100,4 +100,4 @@ TEST(FilmFiles, NamesAreOfContenderAndBudgetAndNoTwoAlike) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::film_loan_test

@@ -6,7 +6,7 @@
 
 #include "tests/lab/compare/made_runs.h"
 
-namespace wander::test {
+namespace wander::test::hard_cases_test {
 namespace {
 
 using namespace compare;
@@ -207,4 +207,4 @@ TEST(Verdict, WarnsOfUnreliableBins) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::hard_cases_test

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace wander::compare {
+namespace wander::compare::long_reference_test {
 namespace {
 
 Plan plan_of(const char* budgets) {
@@ -86,4 +86,4 @@ TEST(LongReference, FreshRunsAreAddedToWhatIsKnownAndHaveOtherSeeds) {
 }
 
 }  // namespace
-}  // namespace wander::compare
+}  // namespace wander::compare::long_reference_test

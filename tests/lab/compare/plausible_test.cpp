@@ -12,7 +12,7 @@
 #include "tests/lab/compare/coverage.h"
 #include "tests/support/statistics.h"
 
-namespace wander::test {
+namespace wander::test::plausible_test {
 namespace {
 
 using compare::Draws;
@@ -101,4 +101,4 @@ TEST(Plausible, AnIntervalHoldsItsValueAndNamesNoInfinity) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::plausible_test

@@ -6,7 +6,7 @@
 #include "tests/lab/compare/made_runs.h"
 #include "tests/tools/command_line.h"
 
-namespace wander::test {
+namespace wander::test::reference_pool_test {
 namespace {
 
 using namespace compare;
@@ -131,4 +131,4 @@ TEST(ReferencePool, KeepsItsErrorsWhateverTheLight) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::reference_pool_test

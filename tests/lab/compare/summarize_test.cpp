@@ -8,10 +8,11 @@
 #include "lab/compare/yardstick.h"
 #include "tests/lab/compare/made_runs.h"
 
-namespace wander::test {
+namespace wander::test::summarize_test {
 namespace {
 
 using namespace compare;
+using compare::Path;
 
 // One contender, one budget: these films against that reference.
 Runs runs_of(const std::vector<std::vector<double>>& films, const FilmEstimate& reference) {
@@ -192,4 +193,4 @@ TEST(Curves, AProfileCountsTheReplicatesThatCannotTell) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::summarize_test

@@ -5,7 +5,7 @@
 
 #include "tests/lab/compare/made_runs.h"
 
-namespace wander::test {
+namespace wander::test::trial_test {
 namespace {
 
 using namespace compare;
@@ -85,4 +85,4 @@ TEST(Trial, WhatFindsNothingIsWorthNothing) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::trial_test

@@ -13,7 +13,7 @@
 #include "tests/lab/compare/made_runs.h"
 #include "tools/inspection.h"
 
-namespace wander::test {
+namespace wander::test::verdict_test {
 namespace {
 
 using namespace compare;
@@ -97,4 +97,4 @@ TEST(Verdict, WhoIsAheadIsSaidAlikeEverywhere) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::verdict_test

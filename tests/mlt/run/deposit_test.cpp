@@ -11,7 +11,7 @@
 #include "tests/support/invariance.h"
 #include "tests/support/test_scenes.h"
 
-namespace wander::test {
+namespace wander::test::deposit_test {
 namespace {
 
 using W = Flatland;
@@ -154,4 +154,4 @@ TEST(GroupsFilm, TrustsABinOnlyWithEnoughEffectiveSamples) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::deposit_test

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace wander::test {
+namespace wander::test::partition_test {
 namespace {
 
 // Of each ratio, so many paths.
@@ -176,4 +176,4 @@ TEST(StepsPerDraw, AreTheSharesOfVarianceOfLongChainsAndMoreOfShortOnes) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::partition_test

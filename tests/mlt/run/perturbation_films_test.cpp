@@ -18,7 +18,7 @@
 #include "tests/support/reference_values.h"
 #include "tests/support/test_scenes.h"
 
-namespace wander::test {
+namespace wander::test::perturbation_films_test {
 
 using namespace exact;
 namespace {
@@ -97,4 +97,4 @@ TEST(PerturbedFilms, BetweenMirrorsAreThoseOfIndependentSamples) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::perturbation_films_test

@@ -9,7 +9,7 @@
 
 #include "core/rng.h"
 
-namespace wander::test {
+namespace wander::test::pilot_test {
 namespace {
 
 constexpr int bins = 8;
@@ -185,4 +185,4 @@ TEST(Pilots, AddUpWhatTheirGroupsFound) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::pilot_test

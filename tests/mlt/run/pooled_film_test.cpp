@@ -11,7 +11,7 @@
 #include "core/film_statistics.h"
 #include "statistics/jackknife.h"
 
-namespace wander::test {
+namespace wander::test::pooled_film_test {
 namespace {
 
 constexpr std::array two_bins{2};
@@ -161,4 +161,4 @@ TEST(PooledFilm, TrustsBinsOfEnoughGroupsAlone) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::pooled_film_test

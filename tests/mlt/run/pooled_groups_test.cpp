@@ -17,7 +17,7 @@
 #include "tests/support/expect.h"
 #include "tests/support/statistics.h"
 
-namespace wander::test {
+namespace wander::test::pooled_groups_test {
 namespace {
 
 using Flat = Transport<Flatland>;
@@ -143,4 +143,4 @@ TEST(PooledTwins, WithABorderByTheSamplesThatItWeighsAreCaught) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::pooled_groups_test

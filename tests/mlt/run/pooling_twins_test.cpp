@@ -11,7 +11,7 @@
 
 #include "mlt/run/partition.h"
 
-namespace wander::test {
+namespace wander::test::pooling_twins_test {
 namespace {
 
 constexpr double hard = 64, q = 0x5p-12;  // five of them are
@@ -83,4 +83,4 @@ TEST_F(ChoicesOfThePilot, OfANumberOfSamplesLeaveTheFilmUnbiased) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::pooling_twins_test

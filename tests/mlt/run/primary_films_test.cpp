@@ -15,7 +15,7 @@
 #include "tests/support/reference_values.h"
 #include "tests/support/test_scenes.h"
 
-namespace wander::test {
+namespace wander::test::primary_films_test {
 
 using namespace exact;
 namespace {
@@ -209,4 +209,4 @@ TEST(PrimaryTwin, OfKelemensWeightsThatLeavesOutSomeLargeStepsIsCaught) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::primary_films_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace wander::test {
+namespace wander::test::build_scene_test {
 namespace {
 
 using Point = Flatland::Point;
@@ -107,4 +107,4 @@ TEST(BuiltMaterials, AreThoseOfTheirDescriptionOrWhatTheyAmountTo) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::build_scene_test

@@ -4,7 +4,7 @@
 #include "scenes/format/build_scene.h"
 #include "tests/scenes/format/space_texts.h"
 
-namespace wander::test {
+namespace wander::test::build_spaceland_test {
 namespace {
 
 using W = Spaceland;
@@ -122,4 +122,4 @@ TEST(BuiltScenes, OfMeshesAreHitWhereTheyAre) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::build_spaceland_test

@@ -9,11 +9,8 @@
 #include <numbers>
 #include <random>
 
-namespace wander {
+namespace wander::description::lint_test {
 namespace {
-
-using namespace description;
-using description::Arc, description::Segment, description::Shape;
 
 Shape shape(ShapeKind kind) {
   Shape result;
@@ -175,4 +172,4 @@ TEST(Lint, OfManyShapesTakesNoLongTime) {
 }
 
 }  // namespace
-}  // namespace wander
+}  // namespace wander::description::lint_test

@@ -4,11 +4,8 @@
 #include "core/requirements.h"
 #include "tests/scenes/format/space_texts.h"
 
-namespace wander {
+namespace wander::description::scene_file_space_test {
 namespace {
-
-using namespace description;
-using description::Parallelogram, description::Sphere, description::Triangle;
 
 TEST(SpaceFile, KeepsEveryShape) {
   const Scene scene = parse(everything_in_space).scene;
@@ -79,4 +76,4 @@ TEST(SpaceFile, KeepsTheCamera) {
 }
 
 }  // namespace
-}  // namespace wander
+}  // namespace wander::description::scene_file_space_test

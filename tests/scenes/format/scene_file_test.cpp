@@ -12,11 +12,8 @@
 #include "scenes/format/sha256.h"
 #include "tests/scenes/format/scene_texts.h"
 
-namespace wander {
+namespace wander::description::scene_file_test {
 namespace {
-
-using namespace description;
-using description::Arc, description::Segment, description::Shape;
 
 const Quantity grey(double value) { return {{value, value, value}, false}; }
 
@@ -189,4 +186,4 @@ TEST(Sha256, EqualsThePublishedDigest) {
 }
 
 }  // namespace
-}  // namespace wander
+}  // namespace wander::description::scene_file_test
