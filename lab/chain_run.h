@@ -72,7 +72,7 @@ class ChainRun final : public LiveRun {
     const Pilot pilot = this->pilot();
     if (run_.is_interrupted()) return;
     pooling_ = settings_.seed_share ? with_seed_share(pilot, *settings_.seed_share)
-                                    : best_pooling(pilot, bins());
+                                    : best_pooling(pilot, bins(), most_cost());
     // Where samples go on beside the chains, seeds need no more than the fewest, or what it takes for
     // the slice of a group to find light.
     if (!settings_.seed_share && is_telling(pilot)) {
@@ -202,6 +202,10 @@ class ChainRun final : public LiveRun {
       pilot.steps_per_seed =
           steps() / static_cast<double>(std::max(settings_.fewest_seeds, seeds_for(pilot)));
     return pilot;
+  }
+  double most_cost() const {
+    const bool is_of_steps = std::holds_alternative<SampleBudget>(run_.session().budget);
+    return is_of_steps ? most_cost_of_given_steps : usual_most_cost;
   }
   // All samples before the chains: of a budget of time the share is one of seconds.
   Pooling with_seed_share(Pilot pilot, double share) const {

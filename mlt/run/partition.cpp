@@ -166,7 +166,7 @@ Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins) {
   return best_border(pilot, variance, samples_per_step).pooling;
 }
 
-Pooling best_pooling(const Pilot& pilot, std::size_t bins) {
+Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost) {
   if (!is_telling(pilot)) return pooling(pilot, fewest_samples_per_step, bins);
   const Variance variance(pilot, bins);
   Choice best;

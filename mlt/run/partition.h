@@ -91,10 +91,12 @@ inline constexpr double rays_per_step = 5;
 // slow to come to the hard.
 //
 // The ρ and c that have the least V (1 + ρ κ), with κ the cost of a sample in steps; ρ of the powers of
-// two between these, but no more than with which samples take most_cost times as long as steps.
+// two between these, but no more than with which samples take `most_cost` times as long as steps:
+// little is lost where time is what is given, and who gives a number of steps does not wait for much
+// more than these.
 inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 64,
-                        most_cost = 32;
-Pooling best_pooling(const Pilot& pilot, std::size_t bins);
+                        usual_most_cost = 32, most_cost_of_given_steps = 4;
+Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost = usual_most_cost);
 
 // The best c for so many samples per step; nothing is left to samples where the pilot found no light.
 Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins);

@@ -108,6 +108,13 @@ TEST(Pooling, KnowsNoUnitOfLight) {
   EXPECT_NEAR(b.partition.c, 0x1p40 * a.partition.c, 1e-9 * b.partition.c);
 }
 
+// Here two samples cost as much as a step.
+TEST(Pooling, OfGivenStepsTakesNotMuchLongerThanThese) {
+  const Pilot easy = pilot_of({{1, 10'000}});
+  EXPECT_EQ(best_pooling(easy, bins).samples_per_step, most_samples_per_step);
+  EXPECT_EQ(best_pooling(easy, bins, most_cost_of_given_steps).samples_per_step, 8);
+}
+
 TEST(Pooling, LeavesAllToTheChainsWhereThePilotSawNothing) {
   EXPECT_EQ(best_pooling(pilot_of({}), bins).partition.c, 0);
 }
