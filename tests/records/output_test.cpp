@@ -15,13 +15,12 @@
 #include "records/exr.h"
 #include "records/run_files.h"
 #include "records/run_json.h"
+#include "tests/records/made_record.h"
 
-namespace wander {
+namespace wander::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 // An empty directory that is gone when the test is.
 class Output : public ::testing::Test {
@@ -72,63 +71,6 @@ std::string error_of_writing(const fs::path& path, std::string_view bytes) {
     return error.what();
   }
   return "";
-}
-
-RunRecord markov_chain_run() {
-  RunRecord run;
-  run.provenance = {"box",
-                    "{ \"dimension\": 2 } // text \"with\" quotes\n",
-                    "abc123",
-                    2,
-                    "wander render box.json",
-                    "0.1.0",
-                    {"c0ffee+changes", "GNU 12.2.0", "Release", "a cpu", "2026-01-02T03:04:05Z"}};
-  Rendering& rendering = run.rendering;
-  rendering.method = "mlt";
-  rendering.samples = 123456789012;
-  rendering.seed = std::numeric_limits<std::uint64_t>::max();
-  rendering.threads = 3;
-  rendering.seconds = 1.25;
-  rendering.processor_seconds = 2.125;
-  rendering.seed_seconds = 0.25;
-  rendering.film.shape = {3};
-  rendering.film.value = {0.1, 1e-30, 1 / 3.0};
-  rendering.film.standard_error = {0.01, unknown, 1e-3};
-  rendering.film.reliable = {true, false, true};
-  rendering.film.degrees_of_freedom = 31;
-  rendering.film.by_length = {{2, {0.1, 0, 0}}, {5, {0, 1e-30, 1 / 3.0}}};
-  rendering.adaptation = Adaptation{4, {{1, 0.5}, {4, 0.25}, {16, unknown}}};
-  rendering.pooling = {{{0.125}, 0.5, 16, 3}, 250'000, 0.75};
-  rendering.chains_film = FilmEstimate{
-      .shape = {3}, .value = {0.2, 1e-31, 2 / 3.0}, .standard_error = {0.02, unknown, 1e-2}};
-  rendering.normalization.emplace();
-  rendering.normalization->value = 0.6;
-  rendering.normalization->standard_error = 0.002;
-  rendering.normalization->method = "bridge";
-  NormalizationEstimate direct;
-  direct.value = 0.61;
-  direct.standard_error = 0.004;
-  direct.samples = 100000;
-  rendering.normalization->estimates["seed_pass"] = direct;
-  LengthShare share;
-  share.vertices = 2;
-  share.value = 0.2;
-  share.standard_error = 0.001;
-  rendering.normalization->by_length = {share};
-  rendering.chains = 64;
-  rendering.groups = 32;
-  rendering.mutations = {
-      {"primary_small", 1000, 400, 0.41, {{"occluded", 20}}, {500, 0, 500}, {0.5, unknown, 0.32}}};
-  MutationRecord& mutation = rendering.mutations[0];
-  mutation.seconds = 0.4;
-  mutation.squared_jump = 0.01;
-  mutation.longest_rejection_run = 77;
-  mutation.by_length = {{3, "", 900, 350, 0.39, {{"occluded", 20}}}, {4, "", 100, 50, 0.5, {}}};
-  mutation.by_class = {{0, "LSE", 1000, 400, 0.41, {{"occluded", 20}}}};
-  rendering.chains_record = {
-      300, 8, 99, {{"film", 1.004, 4000, 3000, 25}, {"specular", unknown, unknown, 10, unknown}}};
-  rendering.warnings = {"a warning"};
-  return run;
 }
 
 // ---- whole files or none
@@ -285,62 +227,7 @@ description::Scene scene_with_sensor(description::ShapeKind kind, int bins) {
   return scene;
 }
 
-// ---- run.json
-
-TEST(RunJson, ADocumentSaysWhatTheContractSays) {
-  const nlohmann::ordered_json json = to_json(markov_chain_run());
-  std::vector<std::string> keys;
-  for (const auto& [key, value] : json.items()) keys.push_back(key);
-  EXPECT_EQ(keys, (std::vector<std::string>{
-                      "schema",        "complete",  "scene",     "dimension",    "method",
-                      "samples",       "seed",      "threads",   "seconds",      "cpu_seconds",
-                      "seed_seconds",  "precision", "film",      "adaptation",   "pooling",
-                      "normalization", "chains",    "mutations", "command_line", "version",
-                      "provenance",    "warnings"}));
-  EXPECT_EQ(json["schema"], "wanderlight-run/1");
-  EXPECT_EQ(json["film"]["shape"], nlohmann::ordered_json({3}));
-  EXPECT_EQ(json["film"]["value"][2].get<double>(), 1 / 3.0);
-  EXPECT_EQ(json["film"]["reliable"], nlohmann::ordered_json({true, false, true}));
-  EXPECT_EQ(json["film"]["degrees_of_freedom"], 31.0);
-  EXPECT_EQ(json["adaptation"], nlohmann::ordered_json::parse(R"({
-    "kernel": 4.0, "tried": [{"kernel": 1.0, "spread": 0.5}, {"kernel": 4.0, "spread": 0.25},
-                             {"kernel": 16.0, "spread": null}]})"));
-  EXPECT_EQ(json["normalization"]["estimates"]["seed_pass"]["samples"], 100000);
-  EXPECT_EQ(json["normalization"]["by_length"][0]["vertices"], 2);
-  EXPECT_EQ(json["normalization"]["by_length"][0]["standard_error"], 0.001);
-  EXPECT_EQ(json["chains"], nlohmann::ordered_json::parse(R"({
-    "count": 64, "groups": 32, "draws": 300, "stride": 8, "longest_rejection_run": 99,
-    "r_hat": {"film": 1.004, "specular": null},
-    "ess": {"film": {"bulk": 4000.0, "tail": 3000.0}, "specular": {"bulk": null, "tail": 10.0}},
-    "ess_per_second": {"film": 3200.0, "specular": null},
-    "integrated_autocorrelation": {"film": 25.0, "specular": null}})"));
-  EXPECT_EQ(json["mutations"]["primary_small"]["squared_jump"], 0.01);
-  EXPECT_EQ(json["mutations"]["primary_small"]["longest_rejection_run"], 77);
-  EXPECT_EQ(json["mutations"]["primary_small"]["by_length"][1]["vertices"], 4);
-  EXPECT_EQ(json["mutations"]["primary_small"]["by_class"], nlohmann::ordered_json::parse(R"([
-    {"class": "LSE", "proposed": 1000, "accepted": 400, "mean_acceptance": 0.41,
-     "failures": {"occluded": 20}}])"));
-  EXPECT_EQ(json["mutations"]["primary_small"]["failures"]["occluded"], 20);
-}
-
-TEST(RunJson, NumbersThatAreNotFiniteAreNull) {
-  RunRecord run = markov_chain_run();
-  run.rendering.film.value[0] = std::numeric_limits<double>::infinity();
-  const nlohmann::ordered_json json = to_json(run);
-  EXPECT_TRUE(json["film"]["standard_error"][1].is_null());
-  EXPECT_TRUE(json["film"]["value"][0].is_null());
-}
-
-TEST(RunJson, AnIndependentSampleRunHasNoMarkovChainFields) {
-  RunRecord run = markov_chain_run();
-  run.rendering.normalization.reset();
-  run.rendering.chains = 0;
-  run.rendering.mutations.clear();
-  run.rendering.complete = false;
-  const nlohmann::ordered_json json = to_json(run);
-  EXPECT_EQ(json["complete"], false);
-  for (const char* key : {"normalization", "chains", "mutations"}) EXPECT_FALSE(json.contains(key));
-}
+// ---- a run
 
 TEST_F(Output, ARunReadsBackFromItsDirectoryToTheLastBit) {
   const RunRecord run = markov_chain_run();
@@ -385,4 +272,4 @@ TEST_F(Output, AFileThatIsNoRunIsToldFromABrokenOne) {
 }
 
 }  // namespace
-}  // namespace wander
+}  // namespace wander::test
