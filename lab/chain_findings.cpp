@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <utility>
 
 #include "lab/film_mean.h"
@@ -125,6 +127,34 @@ std::vector<int> ChainFindings::groups_of_runs() const {
   return counts;
 }
 
+namespace {
+
+// Of groups whose chains know the class of their states; each weighs as what it deposits does.
+std::vector<ClassRecord> class_records(std::span<const GroupFindings> groups) {
+  struct Light {
+    double all = 0, of_chains = 0;
+  };
+  std::map<std::string, Light> classes;
+  double all = 0;
+  for (const GroupFindings& group : groups) {
+    const ClassParts& parts = group.parts.front().classes();
+    for (std::size_t c = 0; c < parts.size(); ++c) {
+      if (parts.states(c) == 0) continue;
+      Light& light = classes[name_of_class(parts.path_class(c))];
+      light.all += group.scale * parts.states(c);
+      light.of_chains += group.scale * parts.of_chains(c);
+      all += group.scale * parts.states(c);
+    }
+  }
+  std::vector<ClassRecord> records;
+  for (const auto& [name, light] : classes)
+    if (light.all > 0) records.push_back({name, light.all / all, 1 - light.of_chains / light.all});
+  std::ranges::stable_sort(records, std::greater(), &ClassRecord::light);
+  return records;
+}
+
+}  // namespace
+
 void ChainFindings::normalize(Rendering& r) const {
   const NormalizationMethod wanted = parts_.front().settings.normalization;
   const std::vector<GroupFindings> groups = weighed_groups();
@@ -137,7 +167,7 @@ void ChainFindings::normalize(Rendering& r) const {
     PooledFilm pooled = pooled_film(b[method], groups);
     r.film = std::move(pooled.film);
     r.pooling = {groups.front().parts.front().pooling(), tally_of(groups).samples,
-                 pooled.light_of_samples};
+                 pooled.light_of_samples, std::move(pooled.of_samples), class_records(groups)};
     r.chains_film = chains_film(method, b[method], groups);
   } else {
     r.film = chains_film(method, b[method], groups);

@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/3";
+constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/4";
 
 class Refusal {
  public:

@@ -34,7 +34,7 @@ struct Size {
         lengths(layout.keeps_lengths(shape, max_vertices) ? max_vertices - 1 : 0) {
     if (!job.method().is_markov_chain()) return;
     moves = job.method().state == ChainState::path ? static_cast<double>(Family::count) : 2;
-    if (job.dials().chains.film_parts == FilmParts::pooled) alone = is_large ? 1 : 2;
+    if (job.dials().chains.film_parts == FilmParts::pooled) alone = is_large ? 2 : 3;
     maps = 2 * moves * static_cast<double>(layout.maps_of(shape).cells());
   }
 
@@ -44,7 +44,7 @@ struct Size {
   bool is_large;
   double bins, cells;  // a bin is one channel of a pixel
   double lengths;      // of which films are kept
-  double alone = 0;    // numbers of the film of the chains alone, of a bin
+  double alone = 0;    // numbers of a bin of the film of the chains alone, and what samples carry
   double moves = 0;    // mutations of the chains
   double maps = 0;     // numbers
 };

@@ -4,8 +4,8 @@
 //
 //   Y or R, G, B              the estimate; of a scene with colour, red, green and blue
 //   LAYER.Y or LAYER.R …      the other layers of film_layers.h: standard_error.Y, reliable.Y,
-//                             vertices_N.Y, acceptance.MUTATION.Y, proposed.MUTATION.Y; what
-//                             mutations did has the channel Y alone
+//                             vertices_N.Y, chains.Y, samples.Y, acceptance.MUTATION.Y,
+//                             proposed.MUTATION.Y; what mutations did has the channel Y alone
 //
 // Attributes: those of film_facts.h; of a picture over the plane, window_low and window_high, its
 // lower left and upper right corner in metres (v2d).

@@ -28,7 +28,9 @@ bool FilmColumns::stays(int depth, ordered_json::parse_event_t event, const orde
   if (event != value || place_.empty() || place_.front() != "film" || level != place_.size() + 1)
     return true;
   if (place_.size() == 2) return !take(film_, place_.back(), parsed);
-  return place_.size() != 3 || place_[1] != "chains" || !take(chains_, place_.back(), parsed);
+  if (place_.size() != 3) return true;
+  if (place_[1] == "chains") return !take(chains_, place_.back(), parsed);
+  return place_[1] != "samples" || !take(samples_, place_.back(), parsed);
 }
 
 bool FilmColumns::take(Lists& lists, const std::string& name, const ordered_json& parsed) {
@@ -53,6 +55,11 @@ void FilmColumns::move_to(Rendering& rendering) {
   film.value = std::move(film_.value);
   film.standard_error = std::move(film_.standard_error);
   film.reliable = std::move(film_.reliable);
+  if (!samples_.value.empty()) {
+    if (!rendering.pooling || samples_.value.size() != film.value.size())
+      throw std::runtime_error("the list of what samples carry is not of this film");
+    rendering.pooling->film_of_samples = std::move(samples_.value);
+  }
   if (!rendering.chains_film) return;
   if (chains_.value.size() != film.value.size() ||
       (!chains_.standard_error.empty() && chains_.standard_error.size() != film.value.size()))

@@ -30,7 +30,7 @@ class FilmColumns {
   static bool take(Lists& lists, const std::string& name, const nlohmann::ordered_json& parsed);
 
   std::vector<std::string> place_;  // the keys on the way to what is being read
-  Lists film_, chains_;
+  Lists film_, chains_, samples_;
 };
 
 }  // namespace wander

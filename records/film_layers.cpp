@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 1> grey{"Y"};
 constexpr std::array<std::string_view, 3> colour{"R", "G", "B"};
 constexpr std::string_view acceptance_prefix = "acceptance.", proposed_prefix = "proposed.",
                            vertices = "vertices_", chains = "chains",
-                           chains_error = "chains.standard_error";
+                           chains_error = "chains.standard_error", of_samples = "samples";
 
 void require_fit(std::string_view name, std::size_t size, std::size_t expected) {
   if (size != expected) throw std::logic_error(fmt::format("layer {} does not fit the film", name));
@@ -121,6 +121,7 @@ std::vector<FilmLayer> layers_of(const Rendering& rendering) {
     add(std::string(chains), rendering.chains_film->value);
     add(std::string(chains_error), rendering.chains_film->standard_error);
   }
+  if (rendering.pooling) add(std::string(of_samples), rendering.pooling->film_of_samples);
   const MutationMaps maps(film);
   for (const MutationRecord& mutation : rendering.mutations) {
     if (!mutation.acceptance_per_bin.empty())
@@ -158,6 +159,8 @@ std::vector<FilmLayerSlot> slots_of(Rendering& rendering, const std::set<std::st
     if (names.contains(std::string(chains_error)))
       add(std::string(chains_error), alone.standard_error);
   }
+  if (names.contains(std::string(of_samples)))
+    add(std::string(of_samples), rendering.pooling.emplace().film_of_samples);
   for (const std::string& name : names)
     if (const auto mutation = after(acceptance_prefix, name)) {
       if (!names.contains(std::string(proposed_prefix) + *mutation))

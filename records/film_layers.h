@@ -4,6 +4,7 @@
 //   value, standard_error, reliable (1 or 0)    the estimate
 //   vertices_N                                  its part from paths of N vertices
 //   chains, chains.standard_error               if it is pooled: of the chains alone
+//   samples                                     if it is pooled: what of the value samples carry
 //   acceptance.MUTATION, proposed.MUTATION      Markov chain methods; of a large film, if at all,
 //                                               from the cells of its raster (core/film_layout.h)
 #pragma once

@@ -37,6 +37,7 @@ const char* meaning_of(std::string_view layer) {
   if (layer == "reliable") return "enough is known of the pixel for its standard error to hold";
   if (layer == "chains") return "the value by the chains alone";
   if (layer == "chains.standard_error") return "its standard error";
+  if (layer == "samples") return "the part of the value that independent samples carry";
   if (layer.starts_with("vertices_")) return "the part of the value from paths of so many vertices";
   if (layer.starts_with("acceptance.")) return "mean acceptance of the mutation's proposals there";
   return "how often the mutation proposed there";

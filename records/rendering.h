@@ -23,11 +23,19 @@ struct MergedRun {
   bool complete = true;
 };
 
+// A class of path: its share of all light, and what of its light samples carry (mlt/run/class_parts.h).
+struct ClassRecord {
+  std::string path_class;
+  double light = 0, of_samples = 0;
+};
+
 // How a film was pooled of samples and chains (mlt/run/partition.h).
 struct PoolingRecord {
-  Pooling how{};                // of several runs, of the first
-  std::uint64_t samples = 0;    // of the seed pass and beside the chains
-  double light_of_samples = 0;  // the share of the light that they carry
+  Pooling how{};                          // of several runs, of the first
+  std::uint64_t samples = 0;              // of the seed pass and beside the chains
+  double light_of_samples = 0;            // the share of the light that they carry
+  std::vector<double> film_of_samples{};  // what of each number of the film they carry
+  std::vector<ClassRecord> classes{};     // the brightest first; empty where states have no class
 };
 
 struct Rendering {

@@ -22,8 +22,13 @@ void serialize(Archive& archive, FilmEstimate& film) {
 }
 
 template <class Archive>
+void serialize(Archive& archive, ClassRecord& path_class) {
+  archive(path_class.path_class, path_class.light, path_class.of_samples);
+}
+template <class Archive>
 void serialize(Archive& archive, PoolingRecord& pooling) {
-  archive(pooling.how, pooling.samples, pooling.light_of_samples);
+  archive(pooling.how, pooling.samples, pooling.light_of_samples, pooling.film_of_samples,
+          pooling.classes);
 }
 
 template <class Archive>

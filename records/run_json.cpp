@@ -59,6 +59,11 @@ ordered_json chains_of_film(const Rendering& rendering, int dimension) {
   return json;
 }
 
+// What of the film samples carry; of an image it is in film.nc.
+bool holds_samples(const Rendering& rendering, int dimension) {
+  return holds_bins(dimension) && rendering.pooling && !rendering.pooling->film_of_samples.empty();
+}
+
 ordered_json json_of(const Adaptation& adaptation) {
   ordered_json tried = ordered_json::array();
   for (const TriedKernel& each : adaptation.tried)
@@ -67,12 +72,17 @@ ordered_json json_of(const Adaptation& adaptation) {
 }
 
 ordered_json json_of(const PoolingRecord& pooling) {
-  return {{"samples", pooling.samples},
-          {"light_of_samples", json_of(pooling.light_of_samples)},
-          {"border", json_of(pooling.how.partition.c)},
-          {"samples_per_step", json_of(pooling.how.samples_per_step)},
-          {"steps_per_draw", json_of(pooling.how.steps_per_draw)},
-          {"cost_of_sample", json_of(pooling.how.cost_of_sample)}};
+  ordered_json json{{"samples", pooling.samples},
+                    {"light_of_samples", json_of(pooling.light_of_samples)},
+                    {"border", json_of(pooling.how.partition.c)},
+                    {"samples_per_step", json_of(pooling.how.samples_per_step)},
+                    {"steps_per_draw", json_of(pooling.how.steps_per_draw)},
+                    {"cost_of_sample", json_of(pooling.how.cost_of_sample)}};
+  for (const ClassRecord& each : pooling.classes)
+    json["by_class"].push_back({{"class", each.path_class},
+                                {"light", json_of(each.light)},
+                                {"of_samples", json_of(each.of_samples)}});
+  return json;
 }
 
 ordered_json json_of(const Normalization& normalization) {
@@ -175,6 +185,8 @@ void add_image(Rendering& run, Rendering&& image, const std::filesystem::path& p
         path.string()));
   run.film = std::move(image.film);
   run.chains_film = std::move(image.chains_film);
+  if (run.pooling && image.pooling)
+    run.pooling->film_of_samples = std::move(image.pooling->film_of_samples);
   for (MutationRecord& mutation : run.mutations)
     for (MutationRecord& maps : image.mutations)
       if (maps.name == mutation.name) {
@@ -197,6 +209,8 @@ ordered_json to_json(const RunRecord& run) {
   const int dimension = run.provenance.dimension;
   ordered_json film = json_of(run.rendering.film, dimension);
   if (run.rendering.chains_film) film["chains"] = chains_of_film(run.rendering, dimension);
+  if (holds_samples(run.rendering, dimension))
+    film["samples"] = {{"value", json_of(run.rendering.pooling->film_of_samples)}};
   return to_json(run, std::move(film));
 }
 
@@ -273,6 +287,11 @@ void write_film(const RunRecord& run, JsonText& text) {
   }
   text.key("degrees_of_freedom").value(json_of(film.degrees_of_freedom));
   if (run.rendering.chains_film) write_chains_of_film(run, text);
+  if (holds_samples(run.rendering, run.provenance.dimension)) {
+    text.key("samples").open_object();
+    write_numbers("value", run.rendering.pooling->film_of_samples, text);
+    text.close_object();
+  }
   text.close_object();
 }
 

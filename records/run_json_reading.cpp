@@ -57,12 +57,16 @@ Adaptation adaptation_from(const ordered_json& json) {
 }
 
 PoolingRecord pooling_from(const ordered_json& json) {
-  return {{{number_from(json.at("border"))},
-           number_from(json.at("samples_per_step")),
-           number_from(json.at("steps_per_draw")),
-           number_from(json.at("cost_of_sample"))},
-          json.at("samples"),
-          number_from(json.at("light_of_samples"))};
+  PoolingRecord pooling{{{number_from(json.at("border"))},
+                         number_from(json.at("samples_per_step")),
+                         number_from(json.at("steps_per_draw")),
+                         number_from(json.at("cost_of_sample"))},
+                        json.at("samples"),
+                        number_from(json.at("light_of_samples"))};
+  for (const ordered_json& each : json.value("by_class", ordered_json::array()))
+    pooling.classes.push_back(
+        {each.at("class"), number_from(each.at("light")), number_from(each.at("of_samples"))});
+  return pooling;
 }
 
 Normalization normalization_from(const ordered_json& json) {
@@ -157,6 +161,9 @@ Rendering rendering_from(const ordered_json& json) {
     rendering.chains_film = chains_film_from(json["film"]["chains"], rendering.film);
   if (json.contains("adaptation")) rendering.adaptation = adaptation_from(json["adaptation"]);
   if (json.contains("pooling")) rendering.pooling = pooling_from(json["pooling"]);
+  if (rendering.pooling && json["film"].contains("samples"))
+    rendering.pooling->film_of_samples =
+        numbers_from(json["film"]["samples"].value("value", ordered_json::array()));
   if (json.contains("normalization"))
     rendering.normalization = normalization_from(json["normalization"]);
   if (json.contains("chains")) {

@@ -23,6 +23,7 @@
 #include "tools/plot_film.h"
 #include "tools/plot_fluence.h"
 #include "tools/plot_image.h"
+#include "tools/plot_parts.h"
 #include "tools/plot_trajectory.h"
 #include "tools/verb.h"
 
@@ -106,9 +107,14 @@ Figure figure_of(const PlotOptions& options, const Global& global) {
       require_no_exposure(options, "a comparison");
       return {"comparison", comparison_svg(*comparison, options)};
     }
-  if (std::optional<Film> film = find_film(file))
+  if (std::optional<Film> film = find_film(file); film && options.parts)
+    return {"parts", parts_svg(*film, options)};
+  else if (film)
     return {"film",
             film->is_image() ? image_svg(*std::move(film), options) : film_svg(*film, options)};
+  if (options.parts)
+    throw UsageError("--parts is of a run with a pooled film, and " + shown_name(file) +
+                     " is a scene");
   require_linear(options, "a scene");
   require_no_exposure(options, "a scene");
   return {"scene", scene_svg(options)};
@@ -210,6 +216,12 @@ void add_film_options(Command verb, const std::shared_ptr<PlotOptions>& options)
       .type_name("EV");
 }
 
+void add_parts_option(Command verb, const std::shared_ptr<PlotOptions>& options) {
+  verb.add_flag("--parts", options->parts,
+                "of a run of chains: what of its film, and of the light of each class of path, "
+                "independent samples carry and what is left to the chains");
+}
+
 void add_page_options(Command verb, const std::shared_ptr<PlotOptions>& options) {
   verb.add_option(
           "--width",
@@ -291,6 +303,7 @@ Examples:
   wander plot run_mlt run_bdpt --reference long_run -o films.svg
   wander plot run_mlt run_bdpt --width 84mm -o films.pdf
   wander plot image_mlt image_bdpt --exposure 1 -o images.png
+  wander plot run_mlt --parts -o parts.svg
   wander plot comparison -o error.svg
   wander plot trace.nc --figure paths --chain 2 --draws 100:112 -o paths.svg
   wander plot trace3d.nc image_mlt --figure paths -o paths3d.svg
@@ -312,6 +325,7 @@ void add_plot(CLI::App& app, Global& global) {
   verb.add_option("--title", options->title, "instead of the name of the scene").type_name("TEXT");
   add_page_options(verb, options);
   add_film_options(verb, options);
+  add_parts_option(verb, options);
   add_trajectory_options(verb, options);
   add_fluence_options(verb, options);
   add_global_options(verb, global);

@@ -14,14 +14,6 @@ namespace wander {
 
 namespace {
 
-// What is drawn needs no scene that is whole, with all its meshes.
-figure::Quantity value_of(const RunRecord& run) {
-  const auto scene = nlohmann::json::parse(run.provenance.scene_text, nullptr, false, true);
-  if (!scene.is_object()) return {"value", ""};
-  return scene.contains("camera") ? figure::Quantity{"mean radiance", "W/(m²·sr)"}
-                                  : figure::Quantity{"mean irradiance", "W/m²"};
-}
-
 void require_same_shape(const Film& film, const Film& first) {
   const std::vector<int>&one = film.run.rendering.film.shape,
         &other = first.run.rendering.film.shape;
@@ -49,6 +41,13 @@ std::vector<figure::LabelledFilm> labelled(std::vector<Film> films) {
 }
 
 }  // namespace
+
+figure::Quantity value_of(const RunRecord& run) {
+  const auto scene = nlohmann::json::parse(run.provenance.scene_text, nullptr, false, true);
+  if (!scene.is_object()) return {"value", ""};
+  return scene.contains("camera") ? figure::Quantity{"mean radiance", "W/(m²·sr)"}
+                                  : figure::Quantity{"mean irradiance", "W/m²"};
+}
 
 std::string image_svg(Film first, const PlotOptions& options) {
   require_options_of_images(options, first);

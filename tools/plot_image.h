@@ -8,6 +8,8 @@
 
 namespace wander {
 
+// What its pixels hold.  What is drawn needs no scene that is whole, with all its meshes.
+figure::Quantity value_of(const RunRecord& run);
 // All files of the command line; `first` is the first of them.
 std::string image_svg(Film first, const PlotOptions& options);
 

@@ -52,6 +52,7 @@ struct PlotOptions {
   figure::Layout layout = figure::Layout::automatic;
   figure::Spacing values = figure::Spacing::linear;  // of the axis of films
   std::optional<double> exposure;                    // of images, in stops
+  bool parts = false;                                // of a pooled film
   TrajectoryPlotOptions trajectory;
   FluencePlotOptions fluence;
 };

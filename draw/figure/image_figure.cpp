@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "core/film_statistics.h"
-#include "core/image_shape.h"
 #include "core/tint.h"
 #include "draw/figure/image_maps.h"
 #include "draw/figure/image_panel.h"
 #include "draw/figure/map_panel.h"
+#include "draw/figure/picture_panel.h"
 #include "draw/figure/style.h"
 #include "draw/figure/tones.h"
 #include "lab/wording.h"
@@ -48,21 +48,6 @@ std::vector<std::string> words_of(const LabelledFilm& image) {
     work += fmt::format(" in {}", duration_in_words(run.seconds));
   if (!run.complete) work += ", interrupted";
   return {image.label, work};
-}
-
-ImagePanel picture_panel(const LabelledFilm& image, const Quantity& quantity, double white) {
-  const FilmEstimate shown = averaged(image.rendering.film);
-  const ImageShape size(shown.shape);
-  std::vector<std::uint8_t> greys;
-  for (int k = 0; k < 256; ++k)
-    greys.insert(greys.end(), 3, srgb_byte(static_cast<double>(k) / 255));
-  const Quantity scale{(size.channels > 1 ? "luminance of " : "") + quantity.name, quantity.unit};
-  return {words_of(image),
-          picture_png(srgb_bytes(shown.value, white), size.width, size.height, size.channels),
-          static_cast<double>(image.rendering.film.shape[0]) / image.rendering.film.shape[1], greys,
-          [=](Range page) {
-            return make_axis(scale, {0, white}, page, ticks_in(page, 34));
-          }};
 }
 
 // ---- what is known of its error
@@ -142,7 +127,8 @@ std::string image_figure(const std::vector<LabelledFilm>& images,
   std::vector<ImagePanel> maps = map_panels(rows);
   std::vector<Block> blocks;
   for (std::size_t k = 0; k < rows.size(); ++k)
-    blocks.push_back(panel_row(picture_panel(*rows[k].image, options.value, white),
+    blocks.push_back(panel_row(picture_panel(words_of(*rows[k].image),
+                                             rows[k].image->rendering.film, options.value, white),
                                std::move(maps[k]), block_width(page_width)));
   return page(options.title, spoken(rows), page_width, blocks);
 }

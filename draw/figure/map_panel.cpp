@@ -33,6 +33,15 @@ ImagePanel difference_panel(std::vector<std::string> words, const PixelMap& map,
           }};
 }
 
+ImagePanel share_panel(std::vector<std::string> words, const PixelMap& map) {
+  return {std::move(words),
+          map_png(map, light_colours(),
+                  [](double share) { return static_cast<std::uint8_t>(std::lround(255 * share)); }),
+          aspect_of(map), scale_of(light_colours()), [](Range page) {
+            return make_axis({"share", ""}, {0, 1}, page, ticks_in(page, 34));
+          }};
+}
+
 double largest_shown(const std::vector<PixelMap>& differences) {
   constexpr double usual = 4, beyond = 0.002, most = 100;
   std::vector<double> sizes;

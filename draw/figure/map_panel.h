@@ -15,6 +15,8 @@ ImagePanel log_panel(std::vector<std::string> words, const PixelMap& map, const 
 
 // Of differences in units of their error, from -most to most.
 ImagePanel difference_panel(std::vector<std::string> words, const PixelMap& map, double most);
+// Of shares of a whole.
+ImagePanel share_panel(std::vector<std::string> words, const PixelMap& map);
 // Wide enough for all but few of them, and for what chance makes of agreement.
 double largest_shown(const std::vector<PixelMap>& differences);
 

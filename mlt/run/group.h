@@ -173,7 +173,10 @@ class ChainGroup {
     // In a group that found no light there is nothing to compare states with.
     if (!source_.found_light() || member.current.is_dark()) return;
     const auto& state = member.chain.chain.current();
-    states_[Chains::stratum(static_cast<int>(k))].add_within(source_.ratio(state));
+    const double ratio = source_.ratio(state);
+    states_[Chains::stratum(static_cast<int>(k))].add_within(ratio);
+    if constexpr (Chains::deposits == Deposits::shares)
+      if (!parts_.empty()) parts_.front().add_state(member.current.path_class, ratio);
     if constexpr (Chains::has_comparable_chains)
       draws_[k].offer([&] { return source_.functionals_of(state); });
   }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/large_sample_film.h"
+#include "mlt/run/class_parts.h"
 #include "mlt/run/deposit.h"
 #include "mlt/run/partition.h"
 #include "mlt/seeds/seed_pass.h"
@@ -30,6 +31,12 @@ class PooledParts {
   const GroupFilm& of_chains() const { return of_chains_; }
   // Σ over samples; of a film that is not large.
   const GroupFilm& of_samples() const { return of_samples_.value(); }
+
+  // A state of the chains.
+  void add_state(PathClass path_class, double ratio) {
+    classes_.add(path_class, partition().of_chains(ratio));
+  }
+  const ClassParts& classes() const { return classes_; }  // empty where states have no class
 
   // What a path of l = `ratio` brings that is `light` of its sample; of a film that is not large.
   bool takes_paths() const { return of_samples_.has_value(); }
@@ -57,7 +64,7 @@ class PooledParts {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(of_chains_, easy_, easy_squares_);
+    archive(of_chains_, classes_, easy_, easy_squares_);
     if (of_samples_) archive(*of_samples_);
   }
 
@@ -69,6 +76,7 @@ class PooledParts {
 
   Pooling pooling_;
   GroupFilm of_chains_;
+  ClassParts classes_;
   Sum easy_, easy_squares_;
   std::optional<GroupFilm> of_samples_;
   SampleList list_;  // empty when a run is kept

@@ -150,9 +150,9 @@ class LargePool {
     return count;
   }
 
-  // Value and variance of the samples' part; values of all without each film.
+  // Value, that of the samples' part and its variance; values of all without each film.
   struct Light {
-    double value, variance_of_samples;
+    double value, of_samples, variance_of_samples;
   };
   Light at(std::size_t bin, std::vector<double>& without) const {
     double samples = 0, variance = 0, chains = 0;
@@ -171,7 +171,7 @@ class LargePool {
         without.push_back(levels_[k] *
                           (samples + without_[k] * (chains + shares_[p].pull * moved)));
       }
-    return {level_ * (samples + b_ * chains), level_ * level_ * variance};
+    return {level_ * (samples + b_ * chains), level_ * samples, level_ * level_ * variance};
   }
   std::span<const double> weights() const { return weights_; }
   std::map<int, std::vector<double>> by_length(std::span<const int> shape) const {
@@ -205,13 +205,16 @@ PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupF
   const bool is_lit = pool.lit() >= static_cast<std::size_t>(GroupsFilm::fewest_groups);
   FilmEstimate film{.shape = std::move(shape)};
   make_room(film);
+  std::vector<double> part_of_samples;
+  part_of_samples.reserve(pool.bins());
   std::vector<double> without, deviations(pool.films());  // squared, of all bins together
   double of_samples = 0, of_chains = 0;                   // variance of all bins
   for (std::size_t j = 0; j < pool.bins(); ++j) {
-    const auto [value, variance] = pool.at(j, without);
+    const auto [value, samples, variance] = pool.at(j, without);
     const double of_films = jackknife_error(without, pool.weights());
     const double error = std::sqrt(variance + of_films * of_films);
     film.value.push_back(pixels * value);
+    part_of_samples.push_back(pixels * samples);
     film.standard_error.push_back(pixels * error);
     film.reliable.push_back(is_lit && value > 0 &&
                             value * value >= fewest_effective_samples * error * error);
@@ -224,7 +227,7 @@ PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupF
   const double ratio = of_chains > 0 ? 1 + of_samples / of_chains : 1;
   film.degrees_of_freedom = std::min(jackknife_degrees(deviations) * ratio * ratio, 1e6);
   film.by_length = pool.by_length(film.shape);
-  return {std::move(film), pool.light_of_samples()};
+  return {std::move(film), pool.light_of_samples(), std::move(part_of_samples)};
 }
 
 FilmEstimate total_film(std::span<const SharedLight> runs, const Constant& constant,

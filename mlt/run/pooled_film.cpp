@@ -180,6 +180,13 @@ class Pool {
     }
     return level_ * all.light(constant_.b.value);
   }
+  // s E_j
+  double of_samples(std::size_t bin) const {
+    double sum = 0;
+    for (std::size_t p = 0; p < runs_.size(); ++p)
+      sum += shares_[p].share * runs_[p].at(bin).of_samples;
+    return level_ * sum;
+  }
   std::map<int, std::vector<double>> by_length() const {
     std::map<int, std::vector<double>> films;
     for (std::size_t p = 0; p < runs_.size(); ++p)
@@ -204,10 +211,12 @@ PooledFilm pooled_film(std::span<const GroupFindings> groups, std::span<const in
   const auto lit = std::ranges::count_if(groups, [](const auto& g) { return g.scale > 0; });
   const std::vector<double> weights = weights_of(groups);
   FilmEstimate film{.shape = std::move(shape)};
+  std::vector<double> of_samples;
   std::vector<double> without, deviations(groups.size());  // squared, of all bins together
   for (std::size_t j = 0; j < groups.front().film->bins(); ++j) {
     const double value = pool.value(j, without), error = jackknife_error(without, weights);
     film.value.push_back(value);
+    of_samples.push_back(pool.of_samples(j));
     film.standard_error.push_back(error);
     film.reliable.push_back(lit >= GroupsFilm::fewest_groups && value > 0 &&
                             value * value >= fewest_effective_samples * error * error);
@@ -216,7 +225,8 @@ PooledFilm pooled_film(std::span<const GroupFindings> groups, std::span<const in
   }
   film.degrees_of_freedom = jackknife_degrees(deviations);
   film.by_length = pool.by_length();
-  return {std::move(film), pool.level() * pool.mean().of_samples / constant.b.value};
+  return {std::move(film), pool.level() * pool.mean().of_samples / constant.b.value,
+          std::move(of_samples)};
 }
 
 Constant pooled_constant(std::span<const GroupFindings> groups,

@@ -30,7 +30,8 @@ Constant pooled_constant(std::span<const GroupFindings> groups,
 
 struct PooledFilm {
   FilmEstimate film;
-  double light_of_samples;  // the share of the light that samples carry, s E̅ / b
+  double light_of_samples;         // the share of the light that samples carry, s E̅ / b
+  std::vector<double> of_samples;  // what of the film they carry, s E_j
 };
 
 // `groups_of_runs`: how many groups are of the first run, of the second, …

@@ -70,6 +70,7 @@ TEST(PooledLargeFilms, AreTheSmallOnesUpToTheRoundingOfFloat) {
     for (std::size_t j = 0; j < y.film.value.size(); ++j) {
       EXPECT_NEAR(x.film.value[j], y.film.value[j], 2e-6 * mean) << j;
       EXPECT_NEAR(x.chains_film->value[j], y.chains_film->value[j], 1e-3 * mean) << j;
+      EXPECT_NEAR(x.pooling->film_of_samples[j], y.pooling->film_of_samples[j], 2e-6 * mean) << j;
     }
     for (const auto& [vertices, film] : y.film.by_length)
       for (std::size_t j = 0; j < film.size(); ++j)

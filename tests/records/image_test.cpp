@@ -88,10 +88,10 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
 
 TEST_F(Image, HasAChannelForEachLayerOfOneChannel) {
   write_file(folder / "film.exr", to_exr(chains_image_run(5, 3, 1)));
-  EXPECT_EQ(
-      channels_in(folder / "film.exr"),
-      (std::vector<std::string>{"Y", "acceptance.lens.Y", "chains.Y", "proposed.lens.Y",
-                                "reliable.Y", "standard_error.Y", "vertices_2.Y", "vertices_5.Y"}));
+  EXPECT_EQ(channels_in(folder / "film.exr"),
+            (std::vector<std::string>{"Y", "acceptance.lens.Y", "chains.Y", "proposed.lens.Y",
+                                      "reliable.Y", "samples.Y", "standard_error.Y", "vertices_2.Y",
+                                      "vertices_5.Y"}));
 }
 
 TEST_F(Image, HasThreeChannelsForEachLayerOfColour) {
@@ -205,6 +205,8 @@ TEST_F(Image, ReadsBackFromNetcdfToTheLastBit) {
     ASSERT_TRUE(back.rendering.chains_film);
     EXPECT_TRUE(same(back.rendering.chains_film->value, run.rendering.chains_film->value));
     EXPECT_TRUE(back.rendering.chains_film->standard_error.empty()) << "not known of an image";
+    EXPECT_TRUE(same(back.rendering.pooling.value().film_of_samples,
+                     run.rendering.pooling->film_of_samples));
     ASSERT_EQ(back.rendering.mutations.size(), 1u);
     const MutationRecord &lens = run.rendering.mutations[0], &again = back.rendering.mutations[0];
     EXPECT_EQ(again.name, "lens");
@@ -229,7 +231,8 @@ TEST_F(Image, HasTheDimensionsAndVariablesOfItsLayout) {
   const std::vector<std::string> names = file.variables();
   EXPECT_EQ((std::set<std::string>{names.begin(), names.end()}),
             (std::set<std::string>{"channel", "value", "standard_error", "reliable", "vertices_2",
-                                   "vertices_5", "chains", "acceptance.lens", "proposed.lens"}));
+                                   "vertices_5", "chains", "samples", "acceptance.lens",
+                                   "proposed.lens"}));
   EXPECT_EQ(file.lengths("value"), (std::vector<std::size_t>{3, 5, 3}));
   EXPECT_EQ(file.lengths("acceptance.lens"), (std::vector<std::size_t>{3, 5}));
   EXPECT_EQ(file.text("format"), "wanderlight-film/1");

@@ -33,7 +33,11 @@ inline RunRecord markov_chain_run() {
   rendering.film.degrees_of_freedom = 31;
   rendering.film.by_length = {{2, {0.1, 0, 0}}, {5, {0, 1e-30, 1 / 3.0}}};
   rendering.adaptation = Adaptation{4, {{1, 0.5}, {4, 0.25}, {16, unknown}}};
-  rendering.pooling = {{{0.125}, 0.5, 16, 3}, 250'000, 0.75};
+  rendering.pooling = {{{0.125}, 0.5, 16, 3},
+                       250'000,
+                       0.75,
+                       {0.05, 1e-31, 0.25},
+                       {{"LE", 0.625, 0.5}, {"LSE", 0.375, 1 / 3.0}}};
   rendering.chains_film = FilmEstimate{
       .shape = {3}, .value = {0.2, 1e-31, 2 / 3.0}, .standard_error = {0.02, unknown, 1e-2}};
   rendering.normalization.emplace();

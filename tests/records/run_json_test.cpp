@@ -28,6 +28,9 @@ TEST(RunJson, ADocumentSaysWhatTheContractSays) {
   EXPECT_EQ(json["adaptation"], nlohmann::ordered_json::parse(R"({
     "kernel": 4.0, "tried": [{"kernel": 1.0, "spread": 0.5}, {"kernel": 4.0, "spread": 0.25},
                              {"kernel": 16.0, "spread": null}]})"));
+  EXPECT_EQ(json["film"]["samples"]["value"][2].get<double>(), 0.25);
+  EXPECT_EQ(json["pooling"]["by_class"][0],
+            nlohmann::ordered_json::parse(R"({"class": "LE", "light": 0.625, "of_samples": 0.5})"));
   EXPECT_EQ(json["normalization"]["estimates"]["seed_pass"]["samples"], 100000);
   EXPECT_EQ(json["normalization"]["by_length"][0]["vertices"], 2);
   EXPECT_EQ(json["normalization"]["by_length"][0]["standard_error"], 0.001);

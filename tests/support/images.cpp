@@ -68,6 +68,9 @@ RunRecord chains_image_run(int width, int height, int channels) {
   rendering.chains_film->shape = rendering.film.shape;
   for (const double value : rendering.film.value)
     rendering.chains_film->value.push_back(1.5 * value);
+  for (const double value : rendering.film.value)
+    rendering.pooling->film_of_samples.push_back(0.25 * value);
+  rendering.pooling->classes = {{"LDE", 0.75, 0.3}, {"LDSE", 0.25, 0.1}};
   MutationRecord& lens = rendering.mutations.emplace_back();
   lens.name = "lens";
   for (int i = 0; i < width * height; ++i) {

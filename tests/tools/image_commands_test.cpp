@@ -33,6 +33,18 @@ TEST_F(ImageCommands, DrawWhatHoldsIt) {
   EXPECT_HAS(contents(folder / "two.svg"), "bdpt − bdpt, 2 M samples");
 }
 
+TEST_F(ImageCommands, DrawWhatEachSideCarries) {
+  put("pooled", chains_image_run(24, 16, 3));
+  const Outcome outcome = wander("plot pooled --parts -o parts.svg --json");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out)["kind"], "parts");
+  for (const char* words : {"what samples carry", "what chains carry", "25 % of the light", "LDSE"})
+    EXPECT_HAS(contents(folder / "parts.svg"), words);
+  put("samples", image_run(24, 16, 3));
+  expect_one_fault(wander("plot samples --parts -o no.svg"), 2, {"not pooled", "--film pooled"});
+  expect_one_fault(wander("plot pooled samples --parts -o no.svg"), 2, {"--parts is of one run"});
+}
+
 TEST_F(ImageCommands, TellWhatItHolds) {
   RunRecord run = image_run(24, 16, 3);
   put("one", run);

@@ -60,12 +60,13 @@ TEST(PooledFilm, IsTheSumOfItsPartsAtTheLevelOfB) {
   groups.add(1, 2, 3, 1.5, 0.5);
   groups.add(3, 1, 2, 1, 1);
   const Constant b{.b = {0.5, 0}, .without = {0.5, 0.5}};
-  const auto [film, of_samples] = pooled(groups, b, {2});
+  const auto [film, of_samples, film_of_samples] = pooled(groups, b, {2});
   const double easy[]{2 * 4.0 / 20, 2 * 3.0 / 20};
   const double hard[]{2 * 0.5 * 2.5 / 8, 2 * 0.5 * 1.5 / 8};
   const double mean = (easy[0] + hard[0] + easy[1] + hard[1]) / 2;
   for (std::size_t j : {0u, 1u})
     EXPECT_DOUBLE_EQ(film.value[j], (easy[j] + hard[j]) * 0.5 / mean) << j;
+  for (std::size_t j : {0u, 1u}) EXPECT_DOUBLE_EQ(film_of_samples[j], easy[j] * 0.5 / mean) << j;
   EXPECT_DOUBLE_EQ(mean_value(film), 0.5) << "b is the mean of the film";
   EXPECT_DOUBLE_EQ(of_samples, (easy[0] + easy[1]) / 2 / mean);
   EXPECT_DOUBLE_EQ(film.by_length.at(2)[0], film.value[0]);
