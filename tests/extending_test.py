@@ -56,7 +56,8 @@ class Copy:
         subprocess.run(["patch", "-s", "-p1", *how, "-d", self.tree], input=change, text=True, check=True)
 
     def make(self):
-        flags = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DWANDER_TESTS=OFF", "-DWANDER_BENCHMARKS=OFF"]
+        flags = ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON", "-DWANDER_TESTS=OFF",
+                 "-DWANDER_BENCHMARKS=OFF"]
         quiet = {"check": True, "stdout": subprocess.DEVNULL}
         subprocess.run(["cmake", "-S", self.tree, "-B", self.build, *flags, *self.options], **quiet)
         subprocess.run(["cmake", "--build", self.build, "--target", "wander"], **quiet)

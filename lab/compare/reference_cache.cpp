@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* schema = "wanderlight-reference/1";
+constexpr const char* schema = "wanderlight-reference/2";
 constexpr std::string_view of_rows = ".json", of_images = ".runs";
 
 std::string prefix_of(const Provenance& provenance, int max_vertices) {

@@ -114,7 +114,7 @@ TEST_F(CompareCommand, IgnoresABrokenCacheWithAWarning) {
   const std::string whole = contents(cached_file());
   for (const std::string& broken :
        {std::string("{"), std::string(), whole.substr(0, whole.size() / 2), std::string("[1]"),
-        std::string(R"({"schema": "wanderlight-reference/1"})")}) {
+        std::string(R"({"schema": "wanderlight-reference/2"})")}) {
     std::ofstream(cached_file()) << broken;
     const Outcome outcome = compare(command);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
