@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -127,7 +128,7 @@ PixelMap share_map(const Rendering& run) {
   for (std::size_t i = 0; i < shape.pixels(); ++i) {
     const auto light = [&](const FilmEstimate& film) {
       const double* pixel = &film.value[i * shape.channels];
-      return shape.channels == 3 ? luminance({pixel[0], pixel[1], pixel[2]}) : pixel[0];
+      return shape.channels == 3 ? luminance(std::array{pixel[0], pixel[1], pixel[2]}) : pixel[0];
     };
     map.values.push_back(light(all) > 0 ? std::clamp(1 - light(of_samples) / light(all), 0.0, 1.0)
                                         : not_known);
@@ -160,9 +161,9 @@ std::string parts_of_image(const Rendering& run, const PartsFigureOptions& optio
                 picture_panel({"what chains carry", rest + " of the light"}, part_of_chains(run),
                               options.value, white),
                 width),
-      panel_row(picture_panel({run.method, summary(run)}, run.film, options.value, white),
-                share_panel({"the share of chains", "what samples seldom find"}, share_map(run)),
-                width)};
+      panel_row(
+          picture_panel({"both", "the film of " + run.method}, run.film, options.value, white),
+          share_panel({"the share of chains", "what samples seldom find"}, share_map(run)), width)};
   for (Block& block : class_bars(run, width)) blocks.push_back(std::move(block));
   return page(options.title, summary(run), page_width, blocks);
 }
