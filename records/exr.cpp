@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
 #include <functional>
 #include <limits>
 #include <set>
@@ -263,6 +264,14 @@ std::string to_exr(const RunRecord& run, const PlaneWindow& window) {
   Imf::Header header = header_of(run, layers);
   insert_window(header, window);
   return image_of(ImageShape(run.rendering.film.shape), layers, header);
+}
+
+bool is_exr(const std::filesystem::path& path) {
+  std::string beginning(4, '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw RunFileError(fmt::format("{}: cannot be read", path.string()));
+  file.read(beginning.data(), 4);
+  return beginning == "\x76\x2f\x31\x01";
 }
 
 RunRecord read_exr(const std::filesystem::path& path) {

@@ -25,6 +25,8 @@ std::string to_exr(const RunRecord& run);
 // A picture over the plane.
 std::string to_exr(const RunRecord& run, const PlaneWindow& window);
 
+// Is the file in the format of OpenEXR?  Throws RunFileError where it cannot be read.
+bool is_exr(const std::filesystem::path& path);
 // Reads back what the image holds, in 32-bit precision; times are NaN, for it does not hold them.
 // Throws RunFileError.
 RunRecord read_exr(const std::filesystem::path& path);

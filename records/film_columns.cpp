@@ -7,6 +7,13 @@ namespace wander {
 
 using nlohmann::ordered_json;
 
+void require_parts_of(const Rendering& rendering) {
+  if (!rendering.pooling) return;
+  const std::size_t size = rendering.pooling->film_of_samples.size();
+  if (size != 0 && size != rendering.film.value.size())
+    throw std::runtime_error("the list of what samples carry differs in length from the film");
+}
+
 ordered_json FilmColumns::read(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   return ordered_json::parse(
@@ -55,11 +62,8 @@ void FilmColumns::move_to(Rendering& rendering) {
   film.value = std::move(film_.value);
   film.standard_error = std::move(film_.standard_error);
   film.reliable = std::move(film_.reliable);
-  if (!samples_.value.empty()) {
-    if (!rendering.pooling || samples_.value.size() != film.value.size())
-      throw std::runtime_error("the list of what samples carry is not of this film");
-    rendering.pooling->film_of_samples = std::move(samples_.value);
-  }
+  if (rendering.pooling) rendering.pooling->film_of_samples = std::move(samples_.value);
+  require_parts_of(rendering);
   if (!rendering.chains_film) return;
   if (chains_.value.size() != film.value.size() ||
       (!chains_.standard_error.empty() && chains_.standard_error.size() != film.value.size()))

@@ -11,6 +11,9 @@
 
 namespace wander {
 
+// Throws std::runtime_error unless what samples carry of a film has as many numbers as it, or none.
+void require_parts_of(const Rendering& rendering);
+
 class FilmColumns {
  public:
   // The document, in which the lists are empty; discarded if it is none.

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -195,14 +194,6 @@ void add_image(Rendering& run, Rendering&& image, const std::filesystem::path& p
       }
 }
 
-bool is_exr(const std::filesystem::path& path) {
-  std::string beginning(4, '\0');
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw RunFileError(fmt::format("{}: cannot be read", path.string()));
-  file.read(beginning.data(), 4);
-  return beginning == "\x76\x2f\x31\x01";
-}
-
 }  // namespace
 
 ordered_json to_json(const RunRecord& run) {
@@ -235,7 +226,8 @@ ordered_json to_json(const RunRecord& run, ordered_json film) {
   json["precision"] = rendering.precision;
   json["film"] = std::move(film);
   if (rendering.adaptation) json["adaptation"] = json_of(*rendering.adaptation);
-  if (rendering.pooling) json["pooling"] = json_of(*rendering.pooling);
+  if (rendering.pooling && rendering.pooling->samples > 0)
+    json["pooling"] = json_of(*rendering.pooling);
   if (rendering.normalization) json["normalization"] = json_of(*rendering.normalization);
   if (rendering.chains > 0) json["chains"] = chains_of(rendering);
   if (!rendering.mutations.empty()) json["mutations"] = json_of(rendering.mutations);

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "records/film_columns.h"
 #include "records/run_json.h"
 
 namespace wander {
@@ -164,6 +165,7 @@ Rendering rendering_from(const ordered_json& json) {
   if (rendering.pooling && json["film"].contains("samples"))
     rendering.pooling->film_of_samples =
         numbers_from(json["film"]["samples"].value("value", ordered_json::array()));
+  require_parts_of(rendering);
   if (json.contains("normalization"))
     rendering.normalization = normalization_from(json["normalization"]);
   if (json.contains("chains")) {

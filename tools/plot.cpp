@@ -88,6 +88,7 @@ Figure figure_of_trajectory(const TrajectoryRecord& record, const PlotOptions& o
 
 // Which kind of file the first one is decides; a scene is what is nothing else.
 Figure figure_of(const PlotOptions& options, const Global& global) {
+  if (options.parts) return {"parts", parts_svg(options)};
   const std::string& file = options.files.front();
   const bool is_file = !is_scene(file) && std::filesystem::is_regular_file(file);
   if (is_file)
@@ -107,14 +108,9 @@ Figure figure_of(const PlotOptions& options, const Global& global) {
       require_no_exposure(options, "a comparison");
       return {"comparison", comparison_svg(*comparison, options)};
     }
-  if (std::optional<Film> film = find_film(file); film && options.parts)
-    return {"parts", parts_svg(*film, options)};
-  else if (film)
+  if (std::optional<Film> film = find_film(file))
     return {"film",
             film->is_image() ? image_svg(*std::move(film), options) : film_svg(*film, options)};
-  if (options.parts)
-    throw UsageError("--parts is of a run with a pooled film, and " + shown_name(file) +
-                     " is a scene");
   require_linear(options, "a scene");
   require_no_exposure(options, "a scene");
   return {"scene", scene_svg(options)};
@@ -125,8 +121,9 @@ void require_sensible(const PlotOptions& options, const Global& global) {
   const FluencePlotOptions& fluence = options.fluence;
   if (!fluence.wanted && (fluence.budget || fluence.resolution))
     throw UsageError("--budget and --resolution are for --fluence");
-  if (fluence.wanted && (!options.trajectory.is_empty() || !options.reference.empty() ||
-                         options.exposure || options.values == figure::Spacing::logarithmic))
+  if (fluence.wanted &&
+      (!options.trajectory.is_empty() || !options.reference.empty() || options.exposure ||
+       options.parts || options.values == figure::Spacing::logarithmic))
     throw UsageError(
         "--fluence is of a scene alone: no option of films or trajectories goes "
         "with it");

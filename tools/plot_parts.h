@@ -3,12 +3,11 @@
 
 #include <string>
 
-#include "tools/plot_film.h"
 #include "tools/plot_options.h"
 
 namespace wander {
 
-// An SVG document.  Throws where the run does not say it.
-std::string parts_svg(const Film& film, const PlotOptions& options);
+// An SVG document of the run that is named.  Throws where it does not say it.
+std::string parts_svg(const PlotOptions& options);
 
 }  // namespace wander

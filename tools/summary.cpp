@@ -133,7 +133,7 @@ std::string summary_of(const Rendering& rendering) {
   if (rendering.adaptation && rendering.adaptation->kernel != 1)
     text += fmt::format("  adapted         small moves go {} times as far as usual\n",
                         rendering.adaptation->kernel);
-  if (rendering.pooling)
+  if (rendering.pooling && rendering.pooling->samples > 0)
     text += fmt::format("  pooled          {} of the light by {} samples{}\n",
                         percent(rendering.pooling->light_of_samples),
                         count_in_words(static_cast<double>(rendering.pooling->samples)),

@@ -28,10 +28,14 @@ constexpr const char *samples = "samples", *chains = "chains";
 
 const PoolingRecord& pooling_of(const Rendering& run) { return run.pooling.value(); }
 
-// The same film with what one side carries of it; what noise makes of none is none.
+// The same film with what one side carries of it, known where the film is; what noise makes of none is
+// none.
 FilmEstimate part_of_samples(const Rendering& run) {
   FilmEstimate part{.shape = run.film.shape, .value = pooling_of(run).film_of_samples};
-  for (double& value : part.value) value = std::max(value, 0.0);
+  for (std::size_t i = 0; i < part.value.size(); ++i)
+    part.value[i] = !std::isfinite(run.film.value[i]) ? not_known
+                    : part.value[i] > 0               ? part.value[i]
+                                                      : 0;
   part.standard_error.assign(part.value.size(), 0);
   part.reliable.assign(part.value.size(), true);
   return part;
@@ -84,6 +88,7 @@ Series line(std::string label, std::size_t look, std::span<const Bar> bars, auto
                 .marks = Marks::none};
   for (std::size_t i = 0; i < bars.size(); ++i)
     series.points.push_back({bars[i].position.low, value(i)});
+  if (bars.empty()) return series;
   series.points.push_back({bars.back().position.high, series.points.back().y});
   return series;
 }
@@ -108,7 +113,8 @@ Block share_chart(std::span<const Bar> all, std::span<const Bar> of_samples, con
                   double width) {
   ChartPanel panel;
   panel.series = {line("", 0, all, [&](std::size_t i) {
-    return all[i].value > 0 ? std::clamp(1 - of_samples[i].value / all[i].value, 0.0, 1.0) : 0;
+    return all[i].value > 0 ? std::clamp(1 - of_samples[i].value / all[i].value, 0.0, 1.0)
+                            : not_known;
   })};
   return chart_block({.x = {axes.position, Spacing::linear, axes.extent},
                       .y = {{"share of chains", ""}, Spacing::linear, Range{0, 1}},
@@ -120,7 +126,7 @@ Block share_chart(std::span<const Bar> all, std::span<const Bar> of_samples, con
 
 // ---- of pixels
 
-// 1 - E / I of each pixel, by luminance; not known where there is no light.
+// 1 - s E_j / I_j of each pixel, by luminance; not known where there is no light.
 PixelMap share_map(const Rendering& run) {
   const FilmEstimate of_samples = averaged(part_of_samples(run)), all = averaged(run.film);
   const ImageShape shape(all.shape);

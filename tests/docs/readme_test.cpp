@@ -212,7 +212,7 @@ class Followed : public CommandLine {
     EXPECT_EQ(missing_results(preparing), Faults{}) << file;
     EXPECT_EQ(reused_outputs(commands), Faults{}) << file;
     if (text.find("RUN") != std::string::npos)
-      wander("render gallery:slit -m bdpt -b 2k -q -o a-run");
+      wander("render gallery:slit -m mlt -b 2k -q -o a-run");
     Placeholders placeholders;
     for (const Command& command : commands) {
       if (is_of_the_reader(command.line)) continue;

@@ -44,6 +44,13 @@ TEST(ClassParts, AreThoseOfTheFilm) {
   EXPECT_TRUE(rejects(paired_t_test(of_twin, of_film, 1e-9)));
 }
 
+// A budget of mutations: on this scene samples would be worth more.
+TEST(ClassParts, AreNotMadeByFarMoreSamplesThanStepsWereAskedFor) {
+  const Pooling how = pooled("mlt", 1).pooling->how;
+  EXPECT_LE(how.samples_per_step * how.cost_of_sample, most_cost_of_given_steps);
+  EXPECT_GT(2 * how.samples_per_step * how.cost_of_sample, most_cost_of_given_steps);
+}
+
 TEST(ClassParts, OfTheFilmHaveTheMeanThatTheySay) {
   const Rendering run = pooled("mlt", 1);
   const auto mean = [](const std::vector<double>& values) {
@@ -67,8 +74,11 @@ TEST(ClassParts, DoNotDependOnTheThreads) {
 
 // States of chains in primary sample space are samples of many paths.
 TEST(ClassParts, AreNoneWhereStatesHaveNoClass) {
-  EXPECT_TRUE(pooled("pssmlt", 1).pooling->classes.empty());
-  EXPECT_FALSE(pooled("pssmlt", 1).pooling->film_of_samples.empty());
+  for (const char* method : {"pssmlt", "mmlt"}) {
+    const PoolingRecord pooling = pooled(method, 1).pooling.value();
+    EXPECT_TRUE(pooling.classes.empty()) << method;
+    EXPECT_FALSE(pooling.film_of_samples.empty()) << method;
+  }
 }
 
 }  // namespace

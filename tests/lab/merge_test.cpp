@@ -189,6 +189,12 @@ TEST(MergedChains, OfPooledFilmsHaveTheMeanOfThem) {
   const Rendering all = merged(job, runs);
   EXPECT_EQ(all.pooling->samples, 2 * runs[0].found.pooling->samples);
   EXPECT_NEAR(mean_value(all.film), all.normalization->value, 1e-12 * all.normalization->value);
+  double light = 0, of_samples = 0;
+  for (const ClassRecord& each : all.pooling->classes) light += each.light;
+  EXPECT_NEAR(light, 1, 1e-12);
+  for (const double value : all.pooling->film_of_samples) of_samples += value;
+  EXPECT_NEAR(of_samples / static_cast<double>(all.film.value.size()),
+              all.pooling->light_of_samples * mean_value(all.film), 1e-12 * mean_value(all.film));
   const FilmEstimate &a = runs[0].found.film, &b = runs[1].found.film;
   // The levels of both films differ from that of all by their errors.
   const double level = 2 * all.normalization->value / (mean_value(a) + mean_value(b));

@@ -42,6 +42,15 @@ TEST_F(ImageCommands, DrawWhatEachSideCarries) {
     EXPECT_HAS(contents(folder / "parts.svg"), words);
   put("samples", image_run(24, 16, 3));
   expect_one_fault(wander("plot samples --parts -o no.svg"), 2, {"not pooled", "--film pooled"});
+  for (const char* alone : {"pooled/film.nc", "pooled/film.exr"}) {
+    expect_one_fault(wander(std::string("plot ") + alone + " --parts -o no.svg"), 2, {"directory"});
+    const Outcome told = wander(std::string("inspect ") + alone);
+    EXPECT_EQ(told.exit_code, 0) << told.err;
+    EXPECT_LACKS(told.out, "pooled ");
+  }
+  for (const char* option : {"--log-y", "--layout panels", "--draws 0:2"})
+    expect_one_fault(wander(std::string("plot pooled --parts -o no.svg ") + option), 2,
+                     {"--parts"});
   expect_one_fault(wander("plot pooled samples --parts -o no.svg"), 2, {"--parts is of one run"});
 }
 
