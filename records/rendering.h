@@ -31,9 +31,8 @@ struct ClassRecord {
 
 // How a film was pooled of samples and chains (mlt/run/partition.h).
 struct PoolingRecord {
-  Pooling how{};  // of several runs, of the first
-  std::uint64_t samples =
-      0;  // of the seed pass and beside the chains; 0: of a film that was read alone
+  Pooling how{};                          // of several runs, of the first
+  std::uint64_t samples = 0;              // of the seed pass and beside the chains; 0: not known
   double light_of_samples = 0;            // the share of the light that they carry
   std::vector<double> film_of_samples{};  // what of each number of the film they carry
   std::vector<ClassRecord> classes{};     // the brightest first; empty where states have no class

@@ -36,17 +36,23 @@ TEST(PartsFigure, NamesHowManyClassesItLeavesOut) {
   EXPECT_HAS(parts_of_film(run, {.title = "row"}), "5 more are not shown");
 }
 
+// The letters of an image within the document may spell anything.
+void expect_numbers(const std::string& svg) {
+  for (const char* none : {" nan", "nan ", "nan,", ",nan", "\"nan", ">nan"})
+    EXPECT_LACKS(svg, none);
+}
+
 TEST(PartsFigure, LeavesOutWhatIsNotKnown) {
   Rendering run = row_of_bins();
   run.pooling->film_of_samples[1] = not_known;
   run.film.value[2] = not_known;
-  EXPECT_LACKS(parts_of_film(run, {.title = "row"}), "nan");
+  expect_numbers(parts_of_film(run, {.title = "row"}));
   run.film.value.assign(4, not_known);
-  EXPECT_LACKS(parts_of_film(run, {.title = "row"}), "nan");
+  expect_numbers(parts_of_film(run, {.title = "row"}));
   Rendering image = test::chains_image_run(6, 4, 3).rendering;
   image.film.value[3] = not_known;
   image.pooling->film_of_samples[9] = not_known;
-  EXPECT_LACKS(parts_of_image(image, {.title = "image"}), "nan");
+  expect_numbers(parts_of_image(image, {.title = "image"}));
 }
 
 }  // namespace
