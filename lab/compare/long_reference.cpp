@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/film_statistics.h"
 #include "lab/compare/reference.h"
 #include "lab/compare/reference_pool.h"
 #include "lab/compare/schedule.h"

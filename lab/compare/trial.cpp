@@ -5,6 +5,7 @@
 #include <functional>
 #include <utility>
 
+#include "core/film_statistics.h"
 #include "lab/compare/schedule.h"
 #include "lab/film_pool.h"
 #include "lab/method.h"

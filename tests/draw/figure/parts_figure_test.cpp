@@ -6,8 +6,8 @@
 
 #include "core/film_statistics.h"
 #include "tests/draw/figure/figure_checks.h"
-#include "tests/support/expect.h"
 #include "tests/support/images.h"
+#include "tests/tools/command_line.h"
 
 namespace wander::figure {
 namespace {
