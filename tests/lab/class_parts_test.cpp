@@ -1,7 +1,7 @@
 // What samples and chains carry of each class of path is what they carry of the film: the mean over
-// classes of what is left to chains is E_π[w_M], which the film's parts are made of, too.  Eight seeds;
-// false-alarm rate 1e-9 per decision.  Seen is a share that is off by a fifth of itself; the wrong twin
-// takes the samples' share for that of the chains.
+// classes of what is left to chains is E_π[w_M], which the film's parts are made of, too.  Eight seeds,
+// from both sides; false-alarm rate 1e-9 per decision.  The wrong twin, which must be caught, takes the
+// samples' share for that of the chains.
 #include <gtest/gtest.h>
 
 #include <numeric>
