@@ -53,6 +53,19 @@ class Windows {
   double count_ = 0;
 };
 
+// What their samples found.
+template <class Groups>
+Pilot samples_of(const Groups& groups) {
+  Pilot found;
+  for (const auto& group : groups) {
+    found.samples += static_cast<double>(group->tally().samples);
+    found.rays += static_cast<double>(group->rays());
+    for (const RatioHistogram& stratum : group->findings().evidence->ratios)
+      found.found.add(stratum, 1);
+  }
+  return found;
+}
+
 class AdaptationBudget {
  public:
   explicit AdaptationBudget(const Run& run) : run_(run), begin_(run.spent()) {}
@@ -106,7 +119,7 @@ class AdaptationRun {
     for (std::uint64_t made = 0; made < most && !is_telling(found); made += per_round) {
       if (budget_.is_over()) return false;
       groups->add_seeds(per_round / groups->count());
-      found = found_by(*groups, 0);
+      found = samples_of(*groups);
     }
     if (!is_telling(found)) return false;
     if (parts_ == FilmParts::pooled)

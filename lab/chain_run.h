@@ -24,6 +24,7 @@
 #include "mlt/run/large_film.h"
 #include "mlt/run/normalization.h"
 #include "mlt/run/path_group.h"
+#include "mlt/run/trial_group.h"
 #include "mlt/seeds/nothing_found.h"
 #include "work/parallel.h"
 
@@ -47,6 +48,9 @@ class ChainRun final : public LiveRun {
     make_ = [&space, kernel, &run](const ChainSettings& of, std::uint64_t seed, double) {
       return std::make_unique<Groups>(space, kernel, run, seed, of);
     };
+    make_trial_ = [this, kernel](std::uint64_t seed, double) {
+      return std::make_unique<Trial>(space_, kernel, run_, seed, settings_of_trial());
+    };
     make_groups(settings.groups, settings.chains_per_group);
   }
   template <class KernelOf>
@@ -56,6 +60,10 @@ class ChainRun final : public LiveRun {
     is_adapted_ = false;
     make_ = [&space, kernel, &run](const ChainSettings& of, std::uint64_t seed, double factor) {
       return std::make_unique<Groups>(space, kernel.scaled(factor), run, seed, of);
+    };
+    make_trial_ = [this, kernel](std::uint64_t seed, double factor) {
+      return std::make_unique<Trial>(space_, kernel.scaled(factor), run_, seed,
+                                     settings_of_trial());
     };
     make_groups(settings.groups, settings.chains_per_group);
   }
@@ -154,6 +162,7 @@ class ChainRun final : public LiveRun {
 
  private:
   using Groups = ChainGroups<Space, Chains>;
+  using Trial = ChainGroups<Space, TrialGroup<typename Chains::Source>>;
   static constexpr std::uint64_t steps_per_round = 1024;  // of each group
 
   ChainRun(const char* method, const Space& space, const Run& run, const ChainSettings& settings)
@@ -196,8 +205,8 @@ class ChainRun final : public LiveRun {
   }
   double kernel() const { return adaptation_ ? adaptation_->kernel : Adaptation{}.kernel; }
   Pilot pilot() const {
-    const auto trial = make_(settings_of_trial(), seed_of_pilot(run_.session().seed), kernel());
-    Pilot pilot = make_pilot(*trial, run_, steps_per_chain());
+    const auto trial = make_trial_(seed_of_pilot(run_.session().seed), kernel());
+    Pilot pilot = PilotRun(*trial, space_.scene().resolution(), run_).run(steps_per_chain());
     if (is_telling(pilot))
       pilot.steps_per_seed =
           steps() / static_cast<double>(std::max(settings_.fewest_seeds, seeds_for(pilot)));
@@ -257,6 +266,7 @@ class ChainRun final : public LiveRun {
   std::optional<Pooling> pooling_;        // once the pilot has run
   std::function<std::unique_ptr<Groups>(const ChainSettings&, std::uint64_t seed, double kernel)>
       make_;
+  std::function<std::unique_ptr<Trial>(std::uint64_t seed, double kernel)> make_trial_;
   std::unique_ptr<Groups> groups_;
 };
 

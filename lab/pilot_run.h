@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <variant>
 #include <vector>
 
@@ -28,16 +29,19 @@ inline std::optional<double> expected_steps(const Run& run) {
 
 class PilotBudget {
  public:
-  explicit PilotBudget(const Run& run) : run_(run), begin_(run.spent()) {}
+  PilotBudget(const Run& run, std::span<const int> resolution)
+      : run_(run), is_of_image_(resolution.size() > 1), begin_(run.spent()) {}
 
   // A part of a budget of time may be spent so far; and nothing when the run is interrupted.
   bool is_over(double share) const {
     const auto* time = std::get_if<TimeBudget>(&run_.session().budget);
     return run_.is_interrupted() || (time && run_.spent() - begin_ > share * time->seconds);
   }
-  // Of all chains together.
+  // Of all chains together.  Of an image it takes more to know how they differ, for its pixels are many and
+  // its dark parts seldom visited.
   std::uint64_t steps() const {
-    constexpr double share = 1. / 32, fewest = 1 << 12, most = 1 << 18;
+    constexpr double fewest = 1 << 12;
+    const double share = is_of_image_ ? 1. / 10 : 1. / 32, most = is_of_image_ ? 1 << 19 : 1 << 18;
     const auto expected = expected_steps(run_);
     return static_cast<std::uint64_t>(
         std::clamp(expected ? share * *expected : most, fewest, most));
@@ -45,47 +49,67 @@ class PilotBudget {
 
  private:
   const Run& run_;
+  bool is_of_image_;
   double begin_;
 };
 
 template <class Groups>
-Pilot found_by(const Groups& groups, std::uint64_t steps) {
-  std::vector<GroupFindings> found;
-  double rays = 0;
-  for (const auto& group : groups) {
-    found.push_back(group->findings());
-    rays += static_cast<double>(group->rays());
-  }
-  return pilot_of(found, rays, steps);
+std::vector<TrialFindings> findings_of(const Groups& groups) {
+  std::vector<TrialFindings> found;
+  for (const auto& group : groups) found.push_back(group->findings());
+  return found;
 }
 
-// `trial`: ChainGroups with one chain each, of which nothing has been made.  Samples until they tell
-// enough, then steps.
-// `steps_per_chain`: of the run.
+// A trial of chains and samples in a space.
 template <class Groups>
-Pilot make_pilot(Groups& trial, const Run& run, double steps_per_chain) {
-  constexpr std::uint64_t samples_per_round = 1 << 11, enough = 1 << 13, most = 1 << 15,
-                          steps_per_round = 1 << 11;
-  // Of a budget of time.
-  constexpr double share_of_samples = 0.05, share_of_early = 0.07, share_of_all = 0.1;
-  const PilotBudget budget(run);
-  Pilot pilot;
-  for (std::uint64_t made = 0; made < most && !budget.is_over(share_of_samples);) {
-    trial.add_seeds(samples_per_round / trial.count());
-    made += samples_per_round;
-    pilot = found_by(trial, 0);
-    if (made >= enough && tells_enough(pilot)) break;
+class PilotRun {
+ public:
+  // `trial`: ChainGroups of TrialGroup with one chain each, of which nothing has been made.
+  PilotRun(Groups& trial, std::span<const int> resolution, const Run& run)
+      : trial_(trial), resolution_(resolution), budget_(run, resolution) {}
+
+  // Samples until they tell enough, then steps.  `steps_per_chain`: of the run.
+  Pilot run(double steps_per_chain) {
+    const Pilot samples = make_samples();
+    if (!is_telling(samples)) return samples;
+    const BinWorth worth(resolution_, findings_of(trial_));
+    trial_.start(1);
+    make_steps(budget_.steps() / 4, share_of_early);
+    const Pilot early = found_by(worth);
+    make_steps(budget_.steps(), share_of_all);
+    return extrapolated(early, found_by(worth), steps_per_chain);
   }
-  if (!is_telling(pilot)) return pilot;
-  for (const double c : borders_around(pilot.b())) trial.pool({.partition = {c}});
-  trial.start(1);
-  const auto pilot_to = [&](std::uint64_t steps, double share) {
-    while (trial.steps() < steps && !budget.is_over(share))
-      trial.advance_to(std::min(steps, trial.steps() + steps_per_round));
-    return found_by(trial, trial.steps() / trial.active());
-  };
-  const Pilot early = pilot_to(budget.steps() / 4, share_of_early);
-  return extrapolated(early, pilot_to(budget.steps(), share_of_all), steps_per_chain);
-}
+
+ private:
+  static constexpr std::uint64_t samples_per_round = 1 << 11, enough = 1 << 13, most = 1 << 15,
+                                 steps_per_round = 1 << 11;
+  // Of a budget of time.
+  static constexpr double share_of_samples = 0.05, share_of_early = 0.07, share_of_all = 0.1;
+
+  Pilot make_samples() {
+    Pilot pilot;
+    for (std::uint64_t made = 0; made < most && !budget_.is_over(share_of_samples);) {
+      trial_.add_seeds(samples_per_round / trial_.count());
+      made += samples_per_round;
+      pilot = found_by(BinWorth(resolution_, findings_of(trial_)));
+      if (made >= enough && tells_enough(pilot)) break;
+    }
+    return pilot;
+  }
+  void make_steps(std::uint64_t steps, double share) {
+    while (trial_.steps() < steps && !budget_.is_over(share))
+      trial_.advance_to(std::min(steps, trial_.steps() + steps_per_round));
+  }
+  Pilot found_by(const BinWorth& worth) const {
+    const std::uint64_t active = trial_.active();
+    Pilot pilot = pilot_of(findings_of(trial_), worth, active > 0 ? trial_.steps() / active : 0);
+    if (resolution_.size() > 1) pilot.rays_per_step = rays_per_step_in_space;
+    return pilot;
+  }
+
+  Groups& trial_;
+  std::span<const int> resolution_;
+  PilotBudget budget_;
+};
 
 }  // namespace wander

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,6 +14,12 @@
 #include "work/parallel.h"
 
 namespace wander {
+
+template <class C>
+concept TakesSteps = ChainSource<C> && requires(C& chains, std::uint64_t count) {
+  chains.advance(count);  // makes so many more steps, of all its chains together
+  { chains.steps() } -> std::convertible_to<std::uint64_t>;
+};
 
 template <class Space, ChainSource Chains>
 class ChainGroups {
@@ -38,8 +45,7 @@ class ChainGroups {
   std::uint64_t count() const { return groups_.size(); }
   Chains& operator[](int group) const { return *groups_[static_cast<std::size_t>(group)]; }
 
-  // Before the first sample: the film is pooled, and so many samples are made beside the chains.  Of a
-  // pilot, when it has made its samples, once for each border.
+  // Before the first sample: the film is pooled, and so many samples are made beside the chains.
   void pool(const Pooling& pooling) requires Group<Chains> {
     samples_per_step_ = pooling.samples_per_step;
     for (const auto& group : groups_) group->divide(pooling);
@@ -97,8 +103,9 @@ class ChainGroups {
   // Steps of all chains together, shared evenly by the groups that take any.
   std::uint64_t steps() const { return steps_; }
   std::uint64_t active() const { return active_; }
-  void advance_to(std::uint64_t target) requires Group<Chains> {
-    if (shared_) return advance_in_turns_to(target);
+  void advance_to(std::uint64_t target) requires TakesSteps<Chains> {
+    if constexpr (Group<Chains>)
+      if (shared_) return advance_in_turns_to(target);
     run_parallel(run_, static_cast<int>(count()), [&](int g) { advance_to(target, g); });
     steps_ = target;
   }

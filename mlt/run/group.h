@@ -41,6 +41,7 @@ concept Group = ChainSource<G> &&
 template <ChainSource Chains>
 class ChainGroup {
  public:
+  using Source = Chains;
   using Space = typename Chains::Space;
   using Kernel = typename Chains::Kernel;
 
@@ -191,7 +192,7 @@ class ChainGroup {
   Chains source_;
   FilmLayout layout_;
   GroupFilm film_;
-  std::vector<PooledParts> parts_;  // one, if the film is pooled; of a pilot, one of each border
+  std::vector<PooledParts> parts_;      // one, if the film is pooled
   std::vector<RatioHistogram> states_;  // by stratum: f / p̄ of the state after each step
   MutationStatistics statistics_;
   std::optional<typename Chains::Turns> turns_;  // once the chains have started

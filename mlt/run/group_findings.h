@@ -28,7 +28,7 @@ struct GroupFindings {
   const SeedTally* of_seeds;  // of those that the chains started from
   const SeedEvidence* evidence;
   const GroupFilm* film;               // of all that the chains deposited
-  std::span<const PooledParts> parts;  // one, of a pooled film; of a pilot, one of each border
+  std::span<const PooledParts> parts;  // one, of a pooled film
   double scale;  // makes of deposits an estimate of the light that falls on a bin, times `weight`
   std::vector<StateRatios> states{};
   std::vector<ClassLight> classes{};  // empty where states have no class

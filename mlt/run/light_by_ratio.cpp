@@ -85,11 +85,10 @@ double ratio_of(int bin, const RatioHistogram& all) {
 }  // namespace
 
 LightByRatio::LightByRatio(const RatioHistogram& found, std::span<const RatioHistogram> chains) {
-  const RatioHistogram rest = found.without_largest();
-  RatioHistogram all = rest;
+  RatioHistogram all = found;
   for (const RatioHistogram& chain : chains) all.add(chain, 1);
   const int first = all.first(), last = all.end() - 1;
-  Shares above = light_above(rest, first, last, [](const auto& bin) { return bin.sum; });
+  Shares above = light_above(found, first, last, [](const auto& bin) { return bin.sum; });
   const Shares by_states = states_above(chains, first, last);
   for (std::size_t k = 0; k < above.of.size(); ++k)
     above.of[k] = std::max(above.of[k], by_states.of[k]);

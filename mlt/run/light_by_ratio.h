@@ -3,8 +3,8 @@
 //
 // Of states S is a count, but of several chains without the one that has most of its states beyond t:
 // a chain that was caught there all alone knows nothing of how much light there is, and would have all
-// of it left to chains.  Samples say the same by what they found, without the one that found most: Σ l
-// over those with l ≥ t, over Σ l.  Samples have seldom drawn what has a large l, and chains may not have
+// of it left to chains.  Samples say the same by what they found (without the one that found most,
+// which the caller leaves out): Σ l over those with l ≥ t, over Σ l.  Samples have seldom drawn what has a large l, and chains may not have
 // come there, so S is the more of both.  What neither has seen is not nothing: the tails of l are often powers,
 //   S(t) = S(t₁) (t / t₁)^-α  beyond t₁,   α = log(S(t₀) / S(t₁)) / log(t₁ / t₀),
 // with t₁ as far out as S is 0.05, and S is no less than that.  α is the steepest that three pairs of

@@ -30,7 +30,7 @@ double sum(const RatioHistogram& ratios, F&& f) {
 class Variance {
  public:
   Variance(const Pilot& pilot, std::size_t bins)
-      : light_(pilot.found, pilot.chains),
+      : light_(pilot.light_of_samples(), pilot.chains),
         borders_(pilot.borders),
         bins_(static_cast<double>(bins)),
         b_(pilot.b()),
@@ -42,7 +42,7 @@ class Variance {
     const Partition side{border.c / b_};
     const double draws = border.steps_per_draw *
                          mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
-    return of_samples(side) / samples_per_step + draws + border.unvisited * steps_per_chain_ +
+    return of_samples(border) / samples_per_step + draws + border.unvisited * steps_per_chain_ +
            of_seeds(side);
   }
   // V_b(ρ) / b², if the bridge had this border
@@ -51,7 +51,7 @@ class Variance {
     const double hard = mean([&](double l) { return side.of_chains(l); });
     const double squared = mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
     const double chains = border.steps_per_draw_of_total * std::max(0.0, squared - hard * hard);
-    return (of_samples(side) / samples_per_step + chains) / (bins_ * (1 - hard) * (1 - hard));
+    return (of_samples(border) / samples_per_step + chains) / (bins_ * (1 - hard) * (1 - hard));
   }
 
  private:
@@ -59,9 +59,11 @@ class Variance {
   double mean(G&& g) const {
     return light_.mean([&](double l) { return g(l / b_); });
   }
-  // E_π[l w_B²] / b
-  double of_samples(Partition side) const {
-    return mean([&](double l) { return l * side.of_samples(l) * side.of_samples(l); });
+  // χ E_π[l w_B²] / b
+  double of_samples(const Pilot::Border& border) const {
+    const Partition side{border.c / b_};
+    return border.together *
+           mean([&](double l) { return l * side.of_samples(l) * side.of_samples(l); });
   }
 
   // k E_π[φ² l w_M²] / b
@@ -86,8 +88,7 @@ class Variance {
 std::vector<Pilot::Border> borders_of(const Pilot& pilot) {
   if (!pilot.borders.empty()) return pilot.borders;
   std::vector<Pilot::Border> borders;
-  for (const double c : borders_around(pilot.b()))
-    borders.push_back({c, usual_steps_per_draw, usual_steps_per_draw});
+  for (const double c : borders_around(pilot.b())) borders.push_back({.c = c});
   return borders;
 }
 
@@ -97,7 +98,7 @@ struct Choice {
 };
 
 Choice best_border(const Pilot& pilot, const Variance& variance, double samples_per_step) {
-  const double cost = pilot.rays / pilot.samples / rays_per_step;
+  const double cost = pilot.rays / pilot.samples / pilot.rays_per_step;
   Choice best{.pooling = {.samples_per_step = samples_per_step, .cost_of_sample = cost}};
   const std::vector<Pilot::Border> borders = borders_of(pilot);
   double of_total = std::numeric_limits<double>::infinity();
@@ -120,6 +121,10 @@ RatioHistogram Pilot::states() const {
   RatioHistogram all;
   for (const RatioHistogram& chain : chains) all.add(chain, 1);
   return all;
+}
+
+RatioHistogram Pilot::light_of_samples() const {
+  return weighed ? *weighed : found.without_largest();
 }
 
 double Pilot::b() const {

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "mlt/seeds/ratio_histogram.h"
@@ -45,25 +46,39 @@ struct Pooling {
   }
 };
 
+// τ where no chains have told it.
+inline constexpr double usual_steps_per_draw = 16;
+// How many rays of samples are taken to cost as much as a step: in the plane; in space, where of eight
+// scenes it was 2.4 to 3.8.
+inline constexpr double rays_per_step = 5, rays_per_step_in_space = 4;
+
 // What a pilot knows (pilot.h): a small run that is no part of the film.
 struct Pilot {
   // Of its samples, l of what they found, and how many rays they took.
   RatioHistogram found{};
   double samples = 0, rays = 0;
-  // Of each of its chains, l of the states, and how many steps it has made.
+  // The same, but for the path that has most, of an image: each as often as its bin is worth (bin_worth.h).
+  std::optional<RatioHistogram> weighed{};
+  // Of each of its chains, l of the states, weighed in the same way; and how many steps it has made.
   std::vector<RatioHistogram> chains{};
   double steps_per_chain = 0;
+  double rays_per_step = wander::rays_per_step;
   double steps_per_seed = 0;  // of the run: its steps for each sample of its seed pass
   // With a border, how many steps tell as much as one independent draw: of where the chains' part of the
   // light lies on the film; and of how large it is in all, which unknown moves b.
   struct Border {
-    double c, steps_per_draw, steps_per_draw_of_total;
+    double c;
+    double steps_per_draw = usual_steps_per_draw, steps_per_draw_of_total = usual_steps_per_draw;
     double unvisited = 0;  // light of the chains' part that chains do not come to, over b
+    double together =
+        1;  // how much more samples vary than their paths would alone (sample_spread.h)
   };
   std::vector<Border> borders{};
 
   // Of all chains.
   RatioHistogram states() const;
+  // Without what one sample alone found.
+  RatioHistogram light_of_samples() const;
   double b() const;
   // (Σ l)² / Σ l²: how many samples carry the estimate of b.
   double effective_samples() const;
@@ -72,14 +87,10 @@ struct Pilot {
 // The borders that are tried; beyond the last there is no light, and all is left to samples.
 std::vector<double> borders_around(double b);
 
-// τ where no chains have told it.
-inline constexpr double usual_steps_per_draw = 16;
-// How many rays of samples are taken to cost as much as a step.
-inline constexpr double rays_per_step = 5;
-
-// With ρ samples per step the variance of the film, summed over all bins and times the steps, is about
-//   V(ρ, c) = A + b² (τ E_π[w_M²] + n u) + k b E_π[φ² l w_M²] + V_b(ρ),   A = b E_π[l w_B²] / ρ:
-// the samples' part; the chains', who for the share u of light that they do not come to have one draw
+// With ρ samples per step the variance of the film, summed over all bins by what they are worth
+// (bin_worth.h) and times the steps, is about
+//   V(ρ, c) = A + b² (τ E_π[w_M²] + n u) + k b E_π[φ² l w_M²] + V_b(ρ),   A = χ b E_π[l w_B²] / ρ:
+// the samples' part, whose paths come together, so that it is χ times that of single paths; the chains', who for the share u of light that they do not come to have one draw
 // in the n steps of each; that of their seeds, for of what a chain deposits beyond a ratio l the share
 // φ(l) = τ(l)/n lies where it began, with the τ of the border there, and of that light it knows what the
 // samples of the seed pass do, one for each k steps; and that of b itself, which moves all bins.  b is

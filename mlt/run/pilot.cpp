@@ -4,6 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "mlt/run/deposit_spread.h"
+#include "mlt/run/sample_spread.h"
+
 namespace wander {
 
 std::uint64_t seed_of_pilot(std::uint64_t seed) {
@@ -13,31 +16,6 @@ std::uint64_t seed_of_pilot(std::uint64_t seed) {
 
 namespace {
 
-// Σ over bins of the variance between groups, and of the square of their mean.
-class Spread {
- public:
-  explicit Spread(std::size_t bins) : sums_(bins), squares_(bins) {}
-
-  void add(std::size_t bin, double share) {
-    sums_[bin] += share;
-    squares_[bin] += share * share;
-  }
-  double variance(double count) const {
-    double sum = 0;
-    for (std::size_t j = 0; j < sums_.size(); ++j)
-      sum += (squares_[j] - sums_[j] * sums_[j] / count) / (count - 1);
-    return sum;
-  }
-  double squared_mean(double count) const {
-    double sum = 0;
-    for (const double s : sums_) sum += s * s / (count * count);
-    return sum;
-  }
-
- private:
-  std::vector<double> sums_, squares_;
-};
-
 // Where all paths have one weight and one bin nothing differs but by rounding.
 double steps_of(double spread, double of_draw, double second_moment, std::uint64_t steps) {
   const bool differs = of_draw > 1e-9 * second_moment;
@@ -46,51 +24,66 @@ double steps_of(double spread, double of_draw, double second_moment, std::uint64
 
 }  // namespace
 
-Pilot::Border border_of(std::span<const GroupFindings> groups, std::size_t border,
-                        const RatioHistogram& states, std::uint64_t steps) {
-  const Partition& side = groups.front().parts[border].partition();
-  Spread film(groups.front().film->bins()), total(1);
-  double count = 0;
-  for (const GroupFindings& group : groups) {
-    double mass = 0, sum = 0;
-    for (std::size_t j = 0; j < group.film->bins(); ++j) mass += group.film->weight(j);
-    if (!(mass > 0)) continue;
-    ++count;
-    const GroupFilm& part = group.parts[border].of_chains();
-    for (std::size_t j = 0; j < part.bins(); ++j) {
-      film.add(j, part.weight(j) / mass);
-      sum += part.weight(j) / mass;
-    }
-    total.add(0, sum);
+std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, const BinWorth& worth,
+                                      const Pilot& pilot, std::span<const double> borders) {
+  const std::vector<DepositSpread> spreads = deposit_spreads(groups, worth, borders);
+  const RatioHistogram states = pilot.states();
+  const auto steps = static_cast<std::uint64_t>(pilot.steps_per_chain);
+  std::vector<Pilot::Border> found;
+  for (std::size_t k = 0; k < borders.size(); ++k) {
+    found.push_back({.c = borders[k], .together = paths_together(groups, worth, {borders[k]})});
+    if (spreads.empty()) continue;
+    const Partition side{borders[k]};
+    double mean = 0, second_moment = 0;  // of w_M
+    for (int i = states.first(); i < states.end(); ++i)
+      if (const auto [number, sum] = states[i]; number > 0) {
+        const double weight = side.of_chains(sum / number);
+        mean += number * weight / states.count();
+        second_moment += number * weight * weight / states.count();
+      }
+    const DepositSpread& spread = spreads[k];
+    found[k].steps_per_draw =
+        steps_of(spread.film, second_moment - spread.squared_mean, second_moment, steps);
+    found[k].steps_per_draw_of_total =
+        steps_of(spread.total, second_moment - mean * mean, second_moment, steps);
   }
-  if (count < 2) return {side.c, usual_steps_per_draw, usual_steps_per_draw};
-  double mean = 0, second_moment = 0;  // of w_M
-  for (int i = states.first(); i < states.end(); ++i)
-    if (const auto [number, sum] = states[i]; number > 0) {
-      const double weight = side.of_chains(sum / number);
-      mean += number * weight / states.count();
-      second_moment += number * weight * weight / states.count();
-    }
-  return {side.c,
-          steps_of(film.variance(count), second_moment - film.squared_mean(count), second_moment,
-                   steps),
-          steps_of(total.variance(count), second_moment - mean * mean, second_moment, steps)};
+  return found;
 }
 
-Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t steps) {
-  Pilot pilot{.rays = rays};
-  for (const GroupFindings& group : groups) {
-    pilot.samples += static_cast<double>(group.seeds->samples);
-    for (const RatioHistogram& stratum : group.evidence->ratios) pilot.found.add(stratum, 1);
+namespace {
+
+// What samples found, but for the path that has most of it.
+RatioHistogram weighed_samples(std::span<const TrialFindings> groups, const BinWorth& worth) {
+  const TrialLog::Found* largest = nullptr;
+  double most = 0;
+  for (const TrialFindings& group : groups)
+    for (const TrialLog::Found& path : group.log->found)
+      if (const double light = worth(path.bin) * path.light; light > most) {
+        most = light;
+        largest = &path;
+      }
+  RatioHistogram found;
+  for (const TrialFindings& group : groups)
+    for (const TrialLog::Found& path : group.log->found)
+      if (&path != largest) found.add(path.ratio, worth(path.bin) * path.light / path.ratio);
+  return found;
+}
+
+}  // namespace
+
+Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std::uint64_t steps) {
+  Pilot pilot{.steps_per_chain = static_cast<double>(steps)};
+  for (const TrialFindings& group : groups) {
+    pilot.samples += group.log->samples;
+    pilot.rays += group.rays;
+    for (const TrialLog::Found& path : group.log->found)
+      pilot.found.add(path.ratio, path.light / path.ratio);
     RatioHistogram& chain = pilot.chains.emplace_back();
-    for (const StateRatios& stratum : group.states) chain.add(*stratum.ratios, stratum.weight);
+    for (const TrialLog::State& state : group.log->states)
+      chain.add(state.ratio, worth(state.bin) * group.light_of_states[state.stratum]);
   }
-  pilot.steps_per_chain = static_cast<double>(steps);
-  if (steps == 0) return pilot;
-  const std::span<const PooledParts> parts = groups.front().parts;
-  const RatioHistogram states = pilot.states();
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    pilot.borders.push_back(border_of(groups, k, states, steps));
+  if (!worth.is_even()) pilot.weighed = weighed_samples(groups, worth);
+  if (steps > 0) pilot.borders = borders_of(groups, worth, pilot, borders_around(pilot.b()));
   return pilot;
 }
 
@@ -103,7 +96,7 @@ struct HardLight {
 HardLight hard_light(const Pilot& pilot, Partition side) {
   HardLight light;
   double found = 0;
-  const RatioHistogram states = pilot.states(), samples = pilot.found.without_largest();
+  const RatioHistogram states = pilot.states(), samples = pilot.light_of_samples();
   for (int i = states.first(); i < states.end(); ++i)
     if (const auto [number, sum] = states[i]; number > 0)
       light.by_states += number * side.of_chains(sum / number) / states.count();

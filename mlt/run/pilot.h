@@ -2,26 +2,29 @@
 // film (partition.h) and is then thrown away, so that what is decided does not know what it weighs.
 #pragma once
 
+#include <cstdint>
 #include <span>
+#include <vector>
 
-#include "mlt/run/group_findings.h"
+#include "mlt/run/bin_worth.h"
 #include "mlt/run/partition.h"
+#include "mlt/run/trial_log.h"
 
 namespace wander {
 
 // The seed of the pilot of a run with this seed.
 std::uint64_t seed_of_pilot(std::uint64_t seed);
 
-// From what its groups of one chain each found, each with a part of each border, after so many steps of each.
-Pilot pilot_of(std::span<const GroupFindings> groups, double rays, std::uint64_t steps);
+// From what its groups of one chain each found, after so many steps of each.
+Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std::uint64_t steps);
 
-// τ and τ' of the chains' part with border k, from the variance of the groups' films between each other,
-// over that of a single draw,
-//   R  = Σ_j Var_g(D^M_gj) / (E_π[w_M²] - Σ_j (mean of D^M_gj)²),
+// τ and τ' of the chains' part with each border, from the variance of the groups' films between each other
+// (deposit_spread.h), over that of a single draw,
+//   R  = Σ_j a_j Var_g(D^M_gj) / (E_π[a w_M²] - Σ_j a_j (mean of D^M_gj)²),
 //   R' = Var_g(Σ_j D^M_gj) / Var_π(w_M),
-// where D^M_gj is what group g deposits on bin j with the weight w_M, as a share of all its deposits.
-Pilot::Border border_of(std::span<const GroupFindings> groups, std::size_t border,
-                        const RatioHistogram& states, std::uint64_t steps);
+// with the states of `pilot`, which are weighed by a.
+std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, const BinWorth& worth,
+                                      const Pilot& pilot, std::span<const double> borders);
 
 // `late` as it would be after so many steps of each chain.  Where chains mix τ is the same after any
 // number of steps.  Where they do not it grows with them, for what they know of how much light lies

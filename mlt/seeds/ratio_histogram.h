@@ -26,7 +26,7 @@ class RatioHistogram {
   };
 
   // A positive number; the histogram grows to hold it.
-  void add(double ratio) {
+  void add(double ratio, double weight = 1) {
     const int i = index_of(ratio);
     if (bins_.empty()) first_ = i;
     if (i < first_) {
@@ -34,7 +34,7 @@ class RatioHistogram {
       first_ = i;
     }
     if (i >= end()) bins_.resize(static_cast<std::size_t>(i - first_) + 1);
-    put(i, ratio);
+    put(i, ratio, weight);
   }
 
   // Room for what another histogram holds, and for so many octaves on either side.
@@ -47,7 +47,7 @@ class RatioHistogram {
   // Without growing: what is beyond the room goes to its edge.
   void add_within(double ratio) {
     if (bins_.empty()) return;
-    put(std::clamp(index_of(ratio), first_, end() - 1), ratio);
+    put(std::clamp(index_of(ratio), first_, end() - 1), ratio, 1);
   }
 
   void add(const RatioHistogram& other, double weight) {
@@ -100,10 +100,10 @@ class RatioHistogram {
   static int index_of(double ratio) {
     return static_cast<int>(std::bit_cast<std::uint64_t>(ratio) >> (52 - bits_per_octave));
   }
-  void put(int i, double ratio) {
+  void put(int i, double ratio, double weight) {
     Bin& bin = bins_[static_cast<std::size_t>(i - first_)];
-    bin.count += 1;
-    bin.sum += ratio;
+    bin.count += weight;
+    bin.sum += weight * ratio;
   }
 
   int first_ = 0;

@@ -12,7 +12,7 @@ namespace {
 // Of each ratio, so many paths.
 Pilot pilot_of(std::initializer_list<std::pair<double, int>> paths, double samples = 10'000) {
   Pilot pilot{.samples = samples,
-              .rays = rays_per_step * samples / 2};  // two cost as much as a step
+              .rays = wander::rays_per_step * samples / 2};  // two cost as much as a step
   for (const auto& [ratio, count] : paths)
     for (int i = 0; i < count; ++i) pilot.found.add(ratio);
   return pilot;
@@ -113,6 +113,23 @@ TEST(Pooling, OfGivenStepsTakesNotMuchLongerThanThese) {
   const Pilot easy = pilot_of({{1, 10'000}});
   EXPECT_EQ(best_pooling(easy, bins).samples_per_step, most_samples_per_step);
   EXPECT_EQ(best_pooling(easy, bins, most_cost_of_given_steps).samples_per_step, 8);
+}
+
+// Samples whose paths come together are worth as many fewer.
+TEST(Pooling, CountsPathsThatComeTogetherOnce) {
+  Pilot apart = pilot_of({{1, 5000}, {400, 80}});
+  for (const double c : borders_around(apart.b())) apart.borders.push_back({.c = c});
+  Pilot together = apart;
+  for (Pilot::Border& border : together.borders) border.together = 16;
+  EXPECT_NE(pooling(apart, 8, bins).partition.c, pooling(apart, 0.5, bins).partition.c);
+  EXPECT_EQ(pooling(together, 8, bins).partition.c, pooling(apart, 0.5, bins).partition.c);
+}
+
+TEST(Pooling, KnowsWhatASampleCostsBesideAStep) {
+  Pilot pilot = pilot_of({{1, 5000}, {400, 80}});
+  const double cost = pooling(pilot, 1, bins).cost_of_sample;
+  pilot.rays_per_step /= 2;
+  EXPECT_EQ(pooling(pilot, 1, bins).cost_of_sample, 2 * cost);
 }
 
 TEST(Pooling, LeavesAllToTheChainsWhereThePilotSawNothing) {

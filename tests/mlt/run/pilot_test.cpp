@@ -14,74 +14,60 @@ namespace {
 
 constexpr int bins = 8;
 constexpr std::uint64_t steps = 800;
-constexpr double border = 3;
 
-// Films of 64 groups whose draws are kept for so many steps.
+// 64 groups whose draws are kept for so many steps.
 class Groups {
  public:
   explicit Groups(int kept) {
     for (std::uint32_t g = 0; g < 64; ++g) {
-      GroupFilm& film = films_.emplace_back(bins, 4);
-      PooledParts& parts =
-          parts_.emplace_back(Pooling{.partition = {border}}, std::array{bins}, 4, FilmLayout{});
+      TrialLog& log = logs_.emplace_back();
       Rng random(1, Purpose::test, g);
       random.start(static_cast<std::uint64_t>(kept));
       for (std::uint64_t i = 0; i < steps;) {
         const int bin = static_cast<int>(bins * std::pow(random.uniform(), 2));
         const double l = bin % 2 == 0 ? 1 : 9;  // so that w_M is 1/4 or 3/4
         for (int k = 0; k < kept && i < steps; ++k, ++i) {
-          film.add(2, bin, 1);
-          parts.of_chains().add(2, bin, parts.partition().of_chains(l));
-          states_.add(l);
+          log.deposits.push_back({bin, 1, l});
+          log.states.push_back({bin, 0, l});
         }
       }
-      findings_.push_back({.seeds = &tally_,
-                           .of_seeds = &tally_,
-                           .evidence = &evidence_,
-                           .film = &film,
-                           .parts = {&parts, 1},
-                           .scale = 1});
+      findings_.push_back({&log, 0, {1}});
     }
   }
-  std::span<const GroupFindings> findings() const { return findings_; }
-  const RatioHistogram& states() const { return states_; }
+  // Of the first so many.
+  Pilot::Border border(std::size_t groups = 64) const {
+    const auto first = std::span(findings_).first(groups);
+    const BinWorth even(std::array{bins}, {});
+    const Pilot pilot = pilot_of(first, even, 0);
+    Pilot after = pilot;
+    after.steps_per_chain = static_cast<double>(steps);
+    return borders_of(first, even, after, std::array{border_}).front();
+  }
 
  private:
-  SeedTally tally_{4};
-  SeedEvidence evidence_{1, bins};
-  std::list<GroupFilm> films_;
-  std::list<PooledParts> parts_;
-  RatioHistogram states_;
-  std::vector<GroupFindings> findings_;
+  static constexpr double border_ = 3;
+
+  std::list<TrialLog> logs_;
+  std::vector<TrialFindings> findings_;
 };
 
 // A sum of 8 variances of 64 groups is known to 8 % and better: the bounds are six of that.
 TEST(StepsPerDrawOfFilms, IsHowLongAStateIsKept) {
-  for (const int kept : {1, 5, 40}) {
-    const Groups groups(kept);
-    EXPECT_NEAR(border_of(groups.findings(), 0, groups.states(), steps).steps_per_draw / kept, 1,
-                0.5)
-        << kept;
-  }
+  for (const int kept : {1, 5, 40})
+    EXPECT_NEAR(Groups(kept).border().steps_per_draw / kept, 1, 0.5) << kept;
 }
 
 // Of one variance of 64 groups: 18 %; six of that are a factor of two.
 TEST(StepsPerDrawOfFilms, AreThoseOfTheTotalToo) {
-  for (const int kept : {1, 5, 40}) {
-    const Groups groups(kept);
-    const auto border = border_of(groups.findings(), 0, groups.states(), steps);
-    EXPECT_NEAR(std::log2(border.steps_per_draw_of_total / kept), 0, 1.1) << kept;
-  }
+  for (const int kept : {1, 5, 40})
+    EXPECT_NEAR(std::log2(Groups(kept).border().steps_per_draw_of_total / kept), 0, 1.1) << kept;
 }
 
 TEST(StepsPerDrawOfFilms, IsNoMoreThanFourTimesTheStepsAndUsualWhereNothingIsKnown) {
-  Groups stuck(static_cast<int>(steps));
-  EXPECT_LE(border_of(stuck.findings(), 0, stuck.states(), steps).steps_per_draw,
-            4.01 * static_cast<double>(steps));
-  EXPECT_GT(border_of(stuck.findings(), 0, stuck.states(), steps).steps_per_draw,
-            2 * static_cast<double>(steps));
-  EXPECT_EQ(border_of(stuck.findings().first(1), 0, stuck.states(), steps).steps_per_draw,
-            usual_steps_per_draw);
+  const Groups stuck(static_cast<int>(steps));
+  EXPECT_LE(stuck.border().steps_per_draw, 4.01 * static_cast<double>(steps));
+  EXPECT_GT(stuck.border().steps_per_draw, 2 * static_cast<double>(steps));
+  EXPECT_EQ(stuck.border(2).steps_per_draw, usual_steps_per_draw);
 }
 
 // Two borders, with the τ of each.
@@ -158,30 +144,28 @@ TEST(Pilots, HaveSeedsOfTheirOwn) {
   }
 }
 
+// Of strata, each state stands for light of its own; and of an image each for what its bin is worth.
 TEST(Pilots, AddUpWhatTheirGroupsFound) {
-  SeedTally tally(4);
-  tally.samples = 50;
-  SeedEvidence evidence(2, bins);
-  evidence.ratios[0].add(3);
-  evidence.ratios[1].add(5);
-  evidence.ratios[1].add(5);
-  RatioHistogram states;
-  states.add(4);
-  GroupFilm film(bins, 4);
-  film.add(2, 1, 1);
-  const GroupFindings group{.seeds = &tally,
-                            .of_seeds = &tally,
-                            .evidence = &evidence,
-                            .film = &film,
-                            .parts = {},
-                            .scale = 1,
-                            .states = {{&states, 0.25}, {&states, 0.5}}};
-  const Pilot pilot = pilot_of(std::vector{group, group}, 300, 0);
+  TrialLog log;
+  log.samples = 50;
+  log.found = {{0, 0, 3, 3}, {0, 1, 5, 5}, {7, 1, 2.5, 5}};  // the last is half a sample
+  log.states = {{0, 0, 4}, {1, 1, 4}};
+  const std::vector groups(2, TrialFindings{&log, 300, {0.25, 0.5}});
+  const Pilot pilot = pilot_of(groups, BinWorth(std::array{2}, groups), 0);
   EXPECT_EQ(pilot.samples, 100);
-  EXPECT_EQ(pilot.rays, 300);
-  EXPECT_EQ(pilot.found.count(), 6);
+  EXPECT_EQ(pilot.rays, 600);
+  EXPECT_EQ(pilot.b(), 2 * (3 + 5 + 2.5) / 100);
+  EXPECT_EQ(pilot.found.count(), 5);
+  EXPECT_EQ(pilot.chains.size(), 2);
   EXPECT_EQ(pilot.states().count(), 1.5);
   EXPECT_TRUE(pilot.borders.empty()) << "no steps";
+  const BinWorth worth(std::array{1, 2}, groups);
+  const Pilot of_image = pilot_of(groups, worth, 0);
+  EXPECT_EQ(of_image.b(), pilot.b());
+  EXPECT_DOUBLE_EQ(of_image.states().count(), 2 * (0.25 * worth(0) + 0.5 * worth(1)));
+  // Without one of the two that found most.
+  const RatioHistogram light = of_image.light_of_samples();
+  EXPECT_DOUBLE_EQ(light.count(), worth(0) * 2 + worth(1) * (1 + 2 * 0.5));
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+// How much what chains deposit on the bins of a film differs from chain to chain, with each of several
+// borders (partition.h).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mlt/run/bin_worth.h"
+#include "mlt/run/trial_log.h"
+
+namespace wander {
+
+// With D_gj what group g deposits on bin j, as a share of all that it deposits, D^M_gj what of it counts w_M
+// times, and a_j what an error on the bin is worth.  Var_g is the variance between groups but for the one
+// that is farthest from the mean of all: one chain that was caught alone would speak for all others.
+struct DepositSpread {
+  double worth = 0;  // Σ_j a_j (mean of D_gj), which is E_π[a] as the groups know it; and over it
+  double film = 0;   // Σ_j a_j Var_g(D^M_gj)
+  double squared_mean = 0;  // Σ_j a_j (mean of D^M_gj)²
+  double total = 0;         // Var_g(Σ_j D^M_gj)
+};
+
+// Of each border, by the groups that deposited anything; none where there are not three.
+std::vector<DepositSpread> deposit_spreads(std::span<const TrialFindings> groups,
+                                           const BinWorth& worth, std::span<const double> borders);
+
+}  // namespace wander

@@ -1,0 +1,140 @@
+// How chains differ, and how the paths of a sample come together: against sums written out.
+#include "mlt/run/deposit_spread.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <list>
+
+#include "core/rng.h"
+#include "mlt/run/sample_spread.h"
+
+namespace wander::test::deposit_spread_test {
+namespace {
+
+constexpr int bins = 6;
+constexpr double c = 3;
+
+struct Trial {
+  std::list<TrialLog> logs;
+  std::vector<TrialFindings> groups;
+
+  TrialLog& add() {
+    TrialLog& log = logs.emplace_back();
+    groups.push_back({&log, 0});
+    return log;
+  }
+};
+
+// Five groups with deposits on an image of which some blocks are bright, and one with none.
+Trial trial() {
+  Trial made;
+  Rng random(1, Purpose::test, 6);
+  for (std::uint64_t g = 0; g < 5; ++g) {
+    TrialLog& log = made.add();
+    random.start(g);
+    for (int i = 0; i < 40; ++i) {
+      const int bin = static_cast<int>(bins * random.uniform());
+      const double weight = random.uniform(), ratio = 10 * random.uniform();
+      log.deposits.push_back({bin, weight, ratio});
+    }
+    for (; log.samples < 20; ++log.samples)
+      for (int k = 0; k < 3; ++k) {
+        const int bin = static_cast<int>(bins * random.uniform());
+        const double light = 1 + 20.0 * bin * random.uniform();
+        log.found.push_back({log.samples, bin, light, light});
+      }
+  }
+  made.add();
+  return made;
+}
+
+struct Shares {
+  std::array<double, bins> all{}, hard{};
+};
+Shares shares(const TrialLog& log) {
+  Shares of;
+  double mass = 0;
+  for (const auto& deposit : log.deposits) mass += deposit.weight;
+  for (const auto& [bin, weight, ratio] : log.deposits) {
+    of.all[static_cast<std::size_t>(bin)] += weight / mass;
+    of.hard[static_cast<std::size_t>(bin)] += weight / mass * ratio / (ratio + c);
+  }
+  return of;
+}
+// But for the largest, over all but two.
+double variance_of(std::vector<double> squares) {
+  double all = 0;
+  for (const double square : squares) all += square;
+  return (all - std::ranges::max(squares)) / (static_cast<double>(squares.size()) - 2);
+}
+
+TEST(DepositSpread, IsTheVarianceBetweenGroupsButForTheFarthest) {
+  const Trial made = trial();
+  const BinWorth worth(std::array{2, 3}, made.groups);
+  const DepositSpread spread = deposit_spreads(made.groups, worth, std::array{1.0, c}).back();
+  std::vector<Shares> groups;
+  for (const TrialLog& log : made.logs)
+    if (!log.deposits.empty()) groups.push_back(shares(log));
+  std::array<double, bins> mean{};
+  double mean_total = 0, of_worth = 0, squared_mean = 0;
+  for (int j = 0; j < bins; ++j) {
+    const auto bin = static_cast<std::size_t>(j);
+    for (const Shares& group : groups) {
+      mean[bin] += group.hard[bin] / 5;
+      of_worth += worth(j) * group.all[bin] / 5;
+    }
+    mean_total += mean[bin];
+    squared_mean += worth(j) * mean[bin] * mean[bin];
+  }
+  std::vector<double> film, total;
+  for (const Shares& group : groups) {
+    double square = 0, sum = 0;
+    for (int j = 0; j < bins; ++j) {
+      const auto bin = static_cast<std::size_t>(j);
+      square += worth(j) * std::pow(group.hard[bin] - mean[bin], 2);
+      sum += group.hard[bin];
+    }
+    film.push_back(square);
+    total.push_back(std::pow(sum - mean_total, 2));
+  }
+  EXPECT_NEAR(spread.worth, of_worth, 1e-12);
+  EXPECT_NEAR(spread.film, variance_of(film) / of_worth, 1e-12);
+  EXPECT_NEAR(spread.squared_mean, squared_mean / of_worth, 1e-12);
+  EXPECT_NEAR(spread.total, variance_of(total), 1e-12);
+}
+
+TEST(DepositSpread, IsNotKnownOfTwoGroups) {
+  Trial made = trial();
+  made.groups.erase(made.groups.begin() + 2, made.groups.end() - 1);
+  const BinWorth even(std::array{bins}, {});
+  EXPECT_TRUE(deposit_spreads(made.groups, even, std::array{c}).empty());
+}
+
+TEST(PathsOfASample, AreOneWhereTheyFallOnOneBin) {
+  const BinWorth even(std::array{bins}, {});
+  Trial made;
+  TrialLog& log = made.add();
+  log.found = {{0, 1, 2, 2}, {0, 2, 3, 3}, {1, 1, 2, 2}, {2, 3, 5, 5}};
+  EXPECT_EQ(paths_together(made.groups, even, {c}), 1) << "two of a sample, on different bins";
+  // x = 6/5 alone, and 6/5 and 3/2 of one sample on one bin.
+  log.found = {{0, 1, 2, 2}, {1, 1, 2, 2}, {1, 1, 3, 3}, {1, 2, 3, 3}};
+  const double alone = 1.2 * 1.2 * 2 + 1.5 * 1.5 * 2;
+  EXPECT_NEAR(paths_together(made.groups, even, {c}), (alone + 2 * 1.2 * 1.5) / alone, 1e-12);
+  EXPECT_EQ(paths_together({}, even, {c}), 1);
+}
+
+TEST(PathsOfASample, CountAsTheirBinIsWorth) {
+  Trial made;
+  TrialLog& log = made.add();
+  log.samples = 2;
+  log.found = {{0, 0, 1, 1}, {0, 0, 1, 1}, {1, 1, 4, 4}};
+  const BinWorth worth(std::array{1, 2}, made.groups);
+  const double x = 0.75, y = 4 * 3 / 7.0;
+  const double alone = 2 * worth(0) * x * x + worth(1) * y * y;
+  EXPECT_NEAR(paths_together(made.groups, worth, {c}), 1 + 2 * worth(0) * x * x / alone, 1e-12);
+}
+
+}  // namespace
+}  // namespace wander::test::deposit_spread_test
