@@ -8,14 +8,13 @@
 namespace wander::test {
 namespace {
 
-// So much light on each bin, in paths of a thousandth of it; and one firefly.
-TrialLog light_on(const std::vector<double>& bins, TrialLog::Found firefly = {}) {
+// So much light on each bin, in paths of a thousandth of it that one sample found.
+TrialLog light_on(const std::vector<double>& bins) {
   TrialLog log;
-  log.samples = 1000;
+  log.samples = 1;
   for (std::size_t j = 0; j < bins.size(); ++j)
     for (int k = 0; k < 1000; ++k)
       log.found.push_back({0, static_cast<int>(j), bins[j] / 1000, bins[j] / 1000});
-  if (firefly.light > 0) log.found.push_back(firefly);
   return log;
 }
 
@@ -33,13 +32,15 @@ TEST(BinWorth, OfAnImageFallsAsItsLightButNotOfWhatIsDark) {
   const BinWorth worth(std::array{2, 2}, groups);
   const double floor = 0.05 * 10;  // of the mean
   for (const auto& [bin, light] : {std::pair{0, 1.0}, {2, 0.0}, {3, 29.0}})
-    EXPECT_NEAR(worth(bin) / worth(1), (10 + floor) / (light + floor), 1e-4) << bin;
-  EXPECT_NEAR((1 * worth(0) + 10 * worth(1) + 29 * worth(3)) / 40, 1, 1e-4) << "E_π[a]";
+    EXPECT_NEAR(worth(bin) / worth(1), (10 + floor) / (light + floor), 1e-3) << bin;
+  EXPECT_NEAR((1 * worth(0) + 10 * worth(1) + 29 * worth(3)) / 40, 1, 1e-3) << "E_π[a]";
 }
 
 // One path has a thousand times the light of all others: its bin is no brighter than a few samples make it.
 TEST(BinWorth, DoesNotBelieveAFirefly) {
-  const TrialLog log = light_on({1, 1, 1, 1}, {0, 0, 4000, 4000});
+  TrialLog log = light_on({1, 1, 1, 1});
+  log.samples = 1000;
+  log.found.push_back({0, 0, 4000, 4000});
   const std::array groups{TrialFindings{&log, 0}};
   const BinWorth worth(std::array{2, 2}, groups);
   EXPECT_GT(worth(0), worth(1) / 70) << "of 16 samples of about 4 on a bin with 1";

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <utility>
+
 #include "mlt/run/mmlt_group.h"
 #include "mlt/run/path_group.h"
 #include "mlt/run/pssmlt_group.h"
@@ -38,16 +42,20 @@ class TrialGroups : public ::testing::Test {
  private:
   void compare(const GroupFindings& group, const TrialFindings& trial) const {
     std::vector<double> film(group.film->bins());
+    std::set<std::pair<int, double>> places;
     for (const auto& [bin, weight, ratio] : trial.log->deposits) {
       film[static_cast<std::size_t>(bin)] += weight;
-      EXPECT_GT(ratio, 0);
+      places.emplace(bin, ratio);
     }
+    for (const auto& [bin, stratum, ratio] : trial.log->states)
+      EXPECT_TRUE(places.contains({bin, ratio})) << "a state deposits where it is";
     for (std::size_t j = 0; j < film.size(); ++j)
       EXPECT_NEAR(film[j], group.film->weight(j), 1e-12 * (1 + film[j])) << j;
     expect_equal(of_states(trial), of_states(group));
     expect_equal(of_samples(trial), of_samples(group));
     EXPECT_EQ(trial.log->samples, 300);
-    EXPECT_EQ(trial.log->found.back().sample < 300, true);
+    EXPECT_LT(trial.log->found.back().sample, 300);
+    EXPECT_GT(trial.log->found.back().sample, 150);
   }
   static RatioHistogram of_states(const TrialFindings& trial) {
     RatioHistogram all;
@@ -71,10 +79,10 @@ class TrialGroups : public ::testing::Test {
     return all;
   }
   static void expect_equal(const RatioHistogram& a, const RatioHistogram& b) {
-    EXPECT_GT(a.count(), 100);
+    EXPECT_GT(a.count(), 0);
     EXPECT_NEAR(a.count(), b.count(), 1e-9 * b.count());
     for (int i = std::min(a.first(), b.first()); i < std::max(a.end(), b.end()); ++i)
-      EXPECT_NEAR(a[i].sum, b[i].sum, 1e-9 * (1 + b[i].sum)) << i;
+      EXPECT_NEAR(a[i].sum, b[i].sum, 1e-9 * b[i].sum) << i;
   }
 
   FlatScene scene_ = build(diffuse_room());
