@@ -1,0 +1,39 @@
+// What the pilot of a run leaves to samples and what to chains, on scenes of which it is known who does
+// better.  Fixed seeds; whatever the seed, these are far from the borders of the choice.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "lab/engine.h"
+#include "lab/scene_source.h"
+
+namespace wander::test::pilot_choice_test {
+namespace {
+
+PoolingRecord choice(const char* scene) {
+  Session session;
+  session.budget = SampleBudget{200'000};
+  session.threads = 2;
+  session.seed = 1;
+  return render(Job(open_scene(std::string(gallery_prefix) + scene).scene, find_method("mlt")),
+                session)
+      .pooling.value();
+}
+
+// Light comes from everywhere: as many samples as a budget of steps allows.
+TEST(ChoicesInSpace, LeaveAnOpenBoxToSamples) {
+  const PoolingRecord pooling = choice("cornell");
+  EXPECT_GT(pooling.light_of_samples, 0.8);
+  EXPECT_GT(2 * pooling.how.samples_per_step * pooling.how.cost_of_sample,
+            most_cost_of_given_steps);
+}
+
+// All light comes through a slit that no connection finds.
+TEST(ChoicesInSpace, LeaveASlitToChains) {
+  const PoolingRecord pooling = choice("slit-3d");
+  EXPECT_LT(pooling.light_of_samples, 0.2);
+  EXPECT_EQ(pooling.how.samples_per_step, fewest_samples_per_step);
+}
+
+}  // namespace
+}  // namespace wander::test::pilot_choice_test
