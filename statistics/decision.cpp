@@ -7,8 +7,11 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
+#include "statistics/median.h"
 #include "statistics/number_text.h"
+#include "statistics/visible_error.h"
 
 namespace wander {
 
@@ -129,8 +132,11 @@ Decision welch_tests(std::span<const Measurement> a, std::span<const Measurement
              .false_alarm = false_alarm};
   d.comparisons = a.size();
   const double rate = sidak_rate(false_alarm, a.size());
+  std::vector<double> visible;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Welch w = welch(a[i], b[i]);
+    const double error = std::hypot(a[i].standard_error, b[i].standard_error);
+    visible.push_back(visible_difference(error, w.degrees, rate) / std::abs(b[i].value));
     const double p = student_two_sided_p(w.t, w.degrees);
     if (p >= d.p_value) continue;
     d.p_value = p;
@@ -139,6 +145,7 @@ Decision welch_tests(std::span<const Measurement> a, std::span<const Measurement
     d.threshold = student_threshold(rate, w.degrees);
   }
   d.passed = d.p_value >= rate;
+  d.visible = median(visible);
   d.detail = fmt::format("there {} against {}", text_of(a[d.worst]), text_of(b[d.worst]));
   return d;
 }

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -40,7 +41,10 @@ struct Decision {
   double false_alarm = 0;
   std::size_t comparisons = 1;
   std::size_t worst = 0;  // index of the worst comparison or cell
-  std::string detail{};   // why it failed, if not by the statistic; numbers worth reading
+  // What half of the comparisons would have shown, relative to what they compare (visible_error.h); NaN if
+  // that is not known.
+  double visible = std::numeric_limits<double>::quiet_NaN();
+  std::string detail{};  // why it failed, if not by the statistic; numbers worth reading
 
   explicit operator bool() const { return passed; }
 };

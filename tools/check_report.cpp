@@ -10,6 +10,7 @@
 
 #include "lab/wording.h"
 #include "statistics/number_text.h"
+#include "tools/console.h"
 
 namespace wander {
 
@@ -62,6 +63,12 @@ std::string reason_untested(const InvarianceReport& r) {
       r.starts);
 }
 
+// How large an error would have been seen.
+std::string sight(double visible) {
+  return std::isfinite(visible) ? fmt::format("; {} % would show", number_text(100 * visible, 2))
+                                : std::string();
+}
+
 std::string words_of(const KernelCheck& check, int steps, std::uint64_t samples) {
   const InvarianceReport& r = check.report;
   const Verdict verdict = verdict_of(r);
@@ -74,12 +81,16 @@ std::string words_of(const KernelCheck& check, int steps, std::uint64_t samples)
                        worst.words, number_text(std::abs(d.statistic)), d.threshold,
                        worst.name(d.worst));
   std::size_t comparisons = 0;
-  for (const Part& part : parts) comparisons += part.decision->comparisons;
+  double visible = HUGE_VAL;
+  for (const Part& part : parts) {
+    comparisons += part.decision->comparisons;
+    if (part.decision->comparisons > 0) visible = std::min(visible, part.decision->visible);
+  }
   return fmt::format(
       "leaves the target invariant (largest |z| {:.1f} of {} comparisons, threshold {:.1f}; {} "
-      "samples)",
-      std::abs(d.statistic), comparisons, d.threshold,
-      count_in_words(static_cast<double>(samples)));
+      "samples{})",
+      std::abs(d.statistic), comparisons, d.threshold, count_in_words(static_cast<double>(samples)),
+      sight(visible));
 }
 
 std::string words_of(const MethodCheck& check) {
@@ -92,14 +103,20 @@ std::string words_of(const MethodCheck& check) {
   const std::string others = d.comparisons < check.bins
                                  ? fmt::format(", the other {} are not", check.bins - d.comparisons)
                                  : std::string();
-  return fmt::format("agrees with {} (largest |t| {:.1f} of {} reliable bins{}, threshold {:.1f})",
-                     reference_method().name, std::abs(d.statistic), d.comparisons, others,
-                     d.threshold);
+  return fmt::format(
+      "agrees with {} (largest |t| {:.1f} of {} reliable bins{}, threshold {:.1f}{})",
+      reference_method().name, std::abs(d.statistic), d.comparisons, others, d.threshold,
+      sight(d.visible));
 }
 
 ordered_json json_of(const Decision& d) {
-  return {{"passed", d.passed},   {"statistic", d.statistic},     {"threshold", d.threshold},
-          {"p_value", d.p_value}, {"comparisons", d.comparisons}, {"worst", d.worst}};
+  return {{"passed", d.passed},
+          {"statistic", d.statistic},
+          {"threshold", d.threshold},
+          {"p_value", d.p_value},
+          {"comparisons", d.comparisons},
+          {"worst", d.worst},
+          {"visible_error", finite_or_null(d.visible)}};
 }
 
 ordered_json json_of(const KernelCheck& check, const CheckReport& report) {

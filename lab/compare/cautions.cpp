@@ -8,6 +8,7 @@
 
 #include "lab/wording.h"
 #include "statistics/decision.h"
+#include "statistics/median.h"
 #include "statistics/number_text.h"
 
 namespace wander::compare {

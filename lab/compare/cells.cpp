@@ -6,6 +6,7 @@
 
 #include "lab/compare/bias.h"
 #include "statistics/decision.h"
+#include "statistics/median.h"
 
 namespace wander::compare {
 
@@ -121,13 +122,6 @@ void measure_squares(MeasuredCell& result, const std::vector<Distance>& distance
 }
 
 }  // namespace
-
-double median(std::vector<double> values) {
-  if (values.empty()) return not_known;
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  return n % 2 == 1 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
-}
 
 MeasuredCell measure_cell(const CellRuns& runs, const Yardstick& yardstick, const Draws& reference,
                           std::uint32_t stream) {

@@ -34,6 +34,4 @@ struct CellRuns {
 MeasuredCell measure_cell(const CellRuns& runs, const Yardstick& yardstick, const Draws& reference,
                           std::uint32_t stream);
 
-double median(std::vector<double> values);
-
 }  // namespace wander::compare

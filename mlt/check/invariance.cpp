@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "statistics/median.h"
+#include "statistics/visible_error.h"
+
 namespace wander {
 
 namespace {
@@ -11,10 +14,12 @@ class Comparisons {
  public:
   explicit Comparisons(double heaviest) : heaviest_(heaviest) {}
 
-  void add(std::size_t number, double difference, double magnitude, double square) {
+  // `level`: what the difference is an error of.
+  void add(std::size_t number, double difference, double magnitude, double square, double level) {
     if (!(magnitude >= fewest_contributions * heaviest_) || !(square > 0)) return;
     z_.push_back(difference / std::sqrt(square + heaviest_ * std::abs(difference) / 2));
     numbers_.push_back(number);
+    spreads_.push_back({square, level});
   }
   Decision decide(const char* test, double false_alarm) const {
     if (z_.empty()) {
@@ -25,13 +30,21 @@ class Comparisons {
     Decision decision = largest_z_test(z_, false_alarm);
     decision.test = test;
     decision.worst = numbers_[decision.worst];
+    std::vector<double> visible;
+    for (const auto& [square, level] : spreads_)
+      visible.push_back(visible_sum(square, heaviest_, decision.threshold) / level);
+    decision.visible = median(visible);
     return decision;
   }
 
  private:
+  struct Spread {
+    double square, level;
+  };
   double heaviest_;
   std::vector<double> z_;
   std::vector<std::size_t> numbers_;
+  std::vector<Spread> spreads_;
 };
 
 }  // namespace
@@ -41,13 +54,14 @@ void Deviations::merge(const Deviations& other) {
     sums_[k].value += other.sums_[k].value;
     sums_[k].magnitude += other.sums_[k].magnitude;
     sums_[k].square += other.sums_[k].square;
+    sums_[k].level += other.sums_[k].level;
   }
 }
 
 Decision Deviations::decide(double heaviest, double false_alarm) const {
   Comparisons comparisons(heaviest);
   for (std::size_t k = 0; k < function_count; ++k)
-    comparisons.add(k, sums_[k].value, sums_[k].magnitude, sums_[k].square);
+    comparisons.add(k, sums_[k].value, sums_[k].magnitude, sums_[k].square, sums_[k].level);
   return comparisons.decide("invariance", false_alarm);
 }
 
@@ -64,7 +78,7 @@ Decision Flux::decide(double heaviest, double false_alarm) const {
     for (std::size_t j = 0; j < i; ++j) {
       const Entry &there = entries_[i * cell_count + j], &back = entries_[j * cell_count + i];
       comparisons.add(i * cell_count + j, there.flow - back.flow, there.flow + back.flow,
-                      there.square + back.square);
+                      there.square + back.square, (there.flow + back.flow) / 2);
     }
   }
   return comparisons.decide("balance of flux", false_alarm);

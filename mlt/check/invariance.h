@@ -11,6 +11,8 @@
 // Flux.  With S_ij = Σ v a c(y) [x_0 in cell i, y in cell j], detailed balance makes S_ij and S_ji
 // equal in expectation.
 //
+// An error is relative to what is compared: to Σ v c(x_0) h(x_0), or to the mean of both flows.
+//
 // Each decision is over z = S / √(Σ D² + M |S| / 2), with S = Σ D and M the heaviest start: no |D|
 // exceeds M.  The second term (Bernstein's) is for what events too rare to be seen have kept from
 // Σ D²: without it, flow that is seen in one direction and not in the other would look like a
@@ -44,6 +46,10 @@ class Deviations {
     for (std::size_t k = 0; k < function_count; ++k)
       if (after[k] != before[k]) add(k, weight * (after[k] - before[k]));
   }
+  // A start, whether it moves or not.
+  void add_level(const FunctionValues& before, double weight) {
+    for (std::size_t k = 0; k < function_count; ++k) sums_[k].level += weight * before[k];
+  }
   void merge(const Deviations& other);
   // The worst comparison is a number of name_of_function().
   Decision decide(double heaviest, double false_alarm) const;
@@ -51,6 +57,7 @@ class Deviations {
  private:
   struct Sums {
     double value = 0, magnitude = 0, square = 0;
+    double level = 0;  // Σ v c(x_0) h(x_0)
   };
   void add(std::size_t function, double d) {
     Sums& s = sums_[function];
@@ -154,6 +161,8 @@ class InvarianceTest {
     Chain<Space, Kernel> chain(space_, kernel_, starts.path());
     tally.heaviest = std::max(tally.heaviest, weight);
     ++tally.starts;
+    for (Deviations* deviations : {&tally.one_step, &tally.many_steps})
+      deviations->add_level(before, weight * starts.clip(chain.current()));
     double able = 0;
     for (const double s : kernel_.probabilities(space_, chain.current())) able += s;
     if (able > 0) ++tally.acted;

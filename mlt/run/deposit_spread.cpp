@@ -38,9 +38,9 @@ DepositShares shares_of(std::span<const TrialFindings> groups) {
 }
 
 // How far each group is from the mean of all, squared.
-class Deviations {
+class Distances {
  public:
-  explicit Deviations(std::size_t groups) : squares_(groups) {}
+  explicit Distances(std::size_t groups) : squares_(groups) {}
 
   void add(std::size_t group, double square) { squares_[group] += square; }
   void add_to_all(double square) {
@@ -71,7 +71,7 @@ void for_each_run(std::span<const DepositShare> shares, Key&& key, Visit&& visit
 DepositSpread spread_of(const DepositShares& shares, const BinWorth& worth, Partition side) {
   const auto count = static_cast<double>(shares.groups);
   DepositSpread spread;
-  Deviations film(shares.groups), total(shares.groups);
+  Distances film(shares.groups), total(shares.groups);
   std::vector<double> on_bin_of(shares.groups), totals(shares.groups);  // D^M
   for_each_run(shares.all, std::mem_fn(&DepositShare::bin), [&](std::span<const DepositShare> run) {
     double all = 0, hard_of_all = 0;
