@@ -180,9 +180,9 @@ void add_check(CLI::App& app, Global& global) {
       "\nEach mutation, and their mixture, starts from weighted independent paths and makes 1 and "
       "20\nsteps; films are compared bin by bin, those of images with 16 pixels along the longer "
       "side.\nExit code 4 when a test fails, and when none could be made; what could not be tested "
-      "is\nlisted with the reason.  \"2 % would show\": an error of so much, of what they compare, "
-      "would "
-      "be\nseen by half of the comparisons with a probability of 99 %.\n\n"
+      "is\nlisted with the reason.  \"2 % would show\": an error of 2 %, of what is compared, "
+      "would be "
+      "seen\nwith a probability of 99 % by half of the comparisons of the sharpest test.\n\n"
       "Example:\n  wander check scene.json --samples 1M");
   examine_with(verb, global, [options, &global](Examination& examination) {
     examine(*options, global, examination);
