@@ -70,8 +70,7 @@ struct Pilot {
     double c;
     double steps_per_draw = usual_steps_per_draw, steps_per_draw_of_total = usual_steps_per_draw;
     double unvisited = 0;  // light of the chains' part that chains do not come to, over b
-    double together =
-        1;  // how much more samples vary than their paths would alone (sample_spread.h)
+    double together = 1;   // χ, how much more samples vary than their paths alone
   };
   std::vector<Border> borders{};
 
