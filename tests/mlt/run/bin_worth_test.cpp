@@ -43,7 +43,8 @@ TEST(BinWorth, DoesNotBelieveAFirefly) {
   log.found.push_back({0, 0, 4000, 4000});
   const std::array groups{TrialFindings{&log, 0}};
   const BinWorth worth(std::array{2, 2}, groups);
-  EXPECT_GT(worth(0), worth(1) / 70) << "of 16 samples of about 4 on a bin with 1";
+  // 64 beside 1, and 79 beside 1 if it were believed, for then the floor is higher, too.
+  EXPECT_GT(worth(0), worth(1) / 50);
 }
 
 // Blocks of a large image are worth the same.
