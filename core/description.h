@@ -69,6 +69,9 @@ struct Material {
   MaterialKind kind;
 };
 
+// Of a channel that is not 0.  Films are kept in single precision, too, with errors far below them.
+inline constexpr double smallest_radiance = 1e-30, largest_radiance = 1e30;
+
 // One-sided Lambertian emission, from the side of the normal.
 struct Light {
   Quantity radiance;

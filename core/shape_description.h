@@ -29,10 +29,10 @@ struct Flaw {
 };
 using Flaws = std::vector<Flaw>;
 
-// Squares of shorter lengths are no normal numbers.
-inline constexpr double shortest_length = 1e-150;
+// The fourth powers of all lengths, and of ratios of them, are normal numbers.
+inline constexpr double shortest_length = 1e-60, largest_coordinate = 1e60;
 inline constexpr const char* too_short =
-    "shorter than 1e-150, the least length that can be computed with; enlarge the scene";
+    "shorter than 1e-60, the least length that can be computed with; enlarge the scene";
 inline bool too_near(const Coordinates& a, const Coordinates& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) < shortest_length;
 }

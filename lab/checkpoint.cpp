@@ -96,8 +96,9 @@ std::string_view take_line(std::string_view& bytes) {
 }
 
 std::string bytes_of(const fs::path& file, const Refusal& refuse) {
+  std::error_code problem;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) refuse("cannot be read");
+  if (!stream || !fs::is_regular_file(file, problem)) refuse("cannot be read");
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 

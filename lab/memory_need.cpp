@@ -101,7 +101,7 @@ void need_of_chains(MemoryNeed& need, const Size& size, const Job& job) {
   constexpr double of_vertex = 1024, of_splat = 128, of_start = 4096;
   const bool is_sample = job.method().state == ChainState::numbers_of_sample;
   const double of_chain = ThinnedDraws::capacity * sizeof(Functionals) + of_start + of_vertex * n +
-                          (is_sample ? of_splat * n * n : 0);
+                          (is_sample ? of_splat * std::min(n * n, 4096.0) : 0);
   const double of_each =
       job.method().state == ChainState::numbers_of_path ? n - 1 : settings.chains_per_group;
   need.chains = groups * of_each * of_chain;

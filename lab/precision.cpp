@@ -14,7 +14,7 @@ struct Range {
   double least, most;
   bool holds(double x) const { return x >= least && x <= most; }
 };
-constexpr Range lengths{1e-15, 1e15}, radiances{1e-30, 1e30}, reflectances{1e-30, 1};
+constexpr Range lengths{1e-15, 1e15}, reflectances{1e-30, 1};
 
 // How far a shape reaches from the origin, and how long it is at least.
 struct Reach {
@@ -68,9 +68,6 @@ std::string why_beyond(Precision precision, const description::Scene& scene) {
     for (const double length : {reach.farthest, reach.shortest})
       if (!lengths.holds(length))
         return fmt::format("/shapes/{}: {}", i, beyond("length", length, lengths));
-    const double radiance = shape.light ? shape.light->radiance.channels[0] : 0;
-    if (radiance > 0 && !radiances.holds(radiance))
-      return fmt::format("/shapes/{}: {}", i, beyond("radiance", radiance, radiances));
   }
   const double lens = scene.camera ? scene.camera->aperture_radius : 0;
   if (lens > 0 && !lengths.holds(lens)) return beyond("/camera: aperture_radius", lens, lengths);

@@ -17,8 +17,8 @@ constexpr std::string_view name_of(Precision precision) {
 }
 
 // Why a scene cannot be held in this precision; empty if it can.  Densities of area are inverse
-// lengths, and a float ends at 1e38: float wants all lengths within 1e-15 and 1e15, radiances
-// within 1e-30 and 1e30, and reflectances of 1e-30 or more.  Every scene fits into double.
+// lengths, and a float ends at 1e38: float wants all lengths within 1e-15 and 1e15, and reflectances of
+// 1e-30 or more.  Every scene fits into double.
 std::string why_beyond(Precision precision, const description::Scene& scene);
 
 }  // namespace wander

@@ -17,6 +17,7 @@
 #include "tools/console.h"
 #include "tools/dial_options.h"
 #include "tools/examined_job.h"
+#include "tools/extremes_report.h"
 #include "tools/interruption.h"
 #include "tools/progress.h"
 #include "tools/verb.h"
@@ -35,6 +36,7 @@ struct CheckOptions {
   std::string scene;
   std::shared_ptr<DialOptions> given = std::make_shared<DialOptions>();
   std::uint64_t samples = 200'000;
+  bool wants_extremes = false;
   // Once the scene is read.
   std::optional<SceneDocument> document;
   std::optional<Job> job;
@@ -96,6 +98,14 @@ std::vector<std::string> names_of_parts(const Family& family) {
   return names;
 }
 
+std::vector<std::string> names_of_symmetries() {
+  std::vector<std::string> names;
+  for (const Precision precision : precisions)
+    for (const Method& method : methods())
+      names.push_back(fmt::format("{} in {}", method.name, name_of(precision)));
+  return names;
+}
+
 CheckReport check(const SceneDocument& document, const CheckOptions& options,
                   const Session& session) {
   const Job& job = *options.job;
@@ -140,19 +150,46 @@ void examine(CheckOptions& options, const Global& global, Examination& examinati
       examined_job(options.document->scene, mutated_method(), options.given->dials, examination);
 }
 
+Session session_of(const CheckOptions& options, const Global& global, Progress& progress) {
+  return {.budget = SampleBudget{options.samples},
+          .seed = global.seed,
+          .threads = global.threads,
+          .interrupted = &watch_for_interruption(),
+          .report = progress.reporter(Lines::of_each_phase)};
+}
+
+ExitCode check_extremes(const SceneDocument& document, const CheckOptions& options,
+                        const Global& global) {
+  ExtremesReport report{.scene_name = document.scene.name,
+                        .scene_sha256 = document.sha256,
+                        .samples = options.samples,
+                        .seed = global.seed};
+  {
+    Progress progress(global);
+    const Session session = session_of(options, global, progress);
+    const Run run(session);
+    Parts parts(session, run, names_of_symmetries());
+    Session rendering = session;
+    rendering.report = nullptr;
+    report.checks = check_symmetries(*options.job, variations_of(options.job->scene()), rendering,
+                                     [&] { parts.done(options.samples); });
+  }
+  if (global.json)
+    print_json(json_of(report));
+  else
+    print_data(text_of(report));
+  return report.passed() ? ExitCode::ok : ExitCode::check_failed;
+}
+
 ExitCode check_scene(const CheckOptions& options, const Global& global) {
   const SceneDocument& document = *options.document;
   for (const std::string& warning : scene_warnings(document, options.scene))
     spdlog::warn("{}", warning);
+  if (options.wants_extremes) return check_extremes(document, options, global);
   CheckReport report;
   {
     Progress progress(global);
-    const Session session{.budget = SampleBudget{options.samples},
-                          .seed = global.seed,
-                          .threads = global.threads,
-                          .interrupted = &watch_for_interruption(),
-                          .report = progress.reporter(Lines::of_each_phase)};
-    report = check(document, options, session);
+    report = check(document, options, session_of(options, global, progress));
   }
   if (global.json)
     print_json(json_of(report));
@@ -175,6 +212,9 @@ void add_check(CLI::App& app, Global& global) {
           [options](const std::string& text) { options->samples = parse_samples(text); },
           "independent paths from which each mutation starts (default: 200k)")
       .type_name("N");
+  verb.add_flag("--extremes", options->wants_extremes,
+                "instead: lengths and radiances times powers of two, a quarter turn, a material "
+                "that is not used; no bit of any method's film may change");
   add_global_options(verb, global);
   verb.footer(
       "\nEach mutation, and their mixture, starts from weighted independent paths and makes 1 and "

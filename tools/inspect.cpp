@@ -8,6 +8,7 @@
 
 #include "lab/compare/comparison_json.h"
 #include "lab/failure.h"
+#include "lab/probe.h"
 #include "lab/scene_source.h"
 #include "records/exr.h"
 #include "records/run_json.h"
@@ -69,9 +70,10 @@ ExitCode show_comparison(const compare::Comparison& comparison, const Global& gl
   return ExitCode::ok;
 }
 
-ExitCode show_scene(const SceneDocument& scene, const InspectOptions& options,
-                    const Global& global) {
-  const nlohmann::ordered_json document = inspect_scene(scene);
+ExitCode show_scene(SceneDocument scene, const InspectOptions& options, const Global& global) {
+  const Probe found = probe(scene.scene);
+  scene.warnings.insert(scene.warnings.end(), found.warnings.begin(), found.warnings.end());
+  const nlohmann::ordered_json document = inspect_scene(scene, found);
   for (const std::string& warning : scene_warnings(scene, options.file))
     spdlog::warn("{}", warning);
   if (global.json)

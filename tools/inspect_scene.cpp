@@ -7,6 +7,7 @@
 
 #include "core/requirements.h"
 #include "mutations/catalogue.h"
+#include "statistics/number_text.h"
 #include "tools/inspection.h"
 
 namespace wander {
@@ -92,9 +93,16 @@ std::string requires_text(const ordered_json& needs) {
   return text;
 }
 
+ordered_json json_of(const Probe& probe) {
+  return {
+      {"index_at_sensor", probe.index_at_sensor ? ordered_json(*probe.index_at_sensor) : nullptr},
+      {"samples", probe.samples},
+      {"samples_with_light", probe.samples_with_light}};
+}
+
 }  // namespace
 
-ordered_json inspect_scene(const SceneDocument& document) {
+ordered_json inspect_scene(const SceneDocument& document, const Probe& probe) {
   const description::Scene& scene = document.scene;
   return {{"schema", "wanderlight-inspection/1"},
           {"kind", "scene"},
@@ -106,6 +114,7 @@ ordered_json inspect_scene(const SceneDocument& document) {
           {"counts", counts_of(scene)},
           {"film", film_of(scene)},
           {"requires", requirements_of(scene)},
+          {"probe", json_of(probe)},
           {"warnings", json_of(document.warnings)}};
 }
 
@@ -125,6 +134,13 @@ std::string text_of_scene(const ordered_json& inspection) {
   text += fmt::format("  sensor          {}, {} bins\n", film["sensor"].get<std::string>(),
                       fmt::join(film["shape"].get<std::vector<int>>(), " x "));
   text += fmt::format("  sha256          {}\n", inspection["sha256"].get<std::string>());
+  const ordered_json& probe = inspection["probe"];
+  text += fmt::format("  light           {} of {} bidirectional samples find some\n",
+                      probe["samples_with_light"].get<std::uint64_t>(),
+                      probe["samples"].get<std::uint64_t>());
+  if (!probe["index_at_sensor"].is_null())
+    text += fmt::format("  at the sensor   index of refraction {}\n",
+                        number_text(probe["index_at_sensor"].get<double>(), 6));
   return text + requires_text(inspection["requires"]);
 }
 

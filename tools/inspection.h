@@ -7,13 +7,14 @@
 #include <string>
 
 #include "lab/compare/comparison.h"
+#include "lab/probe.h"
 #include "records/run_record.h"
 #include "records/trajectory_record.h"
 #include "scenes/format/scene_file.h"
 
 namespace wander {
 
-nlohmann::ordered_json inspect_scene(const SceneDocument& document);
+nlohmann::ordered_json inspect_scene(const SceneDocument& document, const Probe& probe);
 std::string text_of_scene(const nlohmann::ordered_json& inspection);
 
 // A run held against another one of the same scene.  Throws UsageError if the films differ in

@@ -40,6 +40,9 @@ Rendering rendering_of(const RenderTask& task, const Keeper& keeper, const Globa
             load_warning(rendering.seconds, rendering.processor_seconds, rendering.threads);
         !load.empty())
       rendering.warnings.push_back(std::move(load));
+  if (rendering.threads < global.threads)
+    rendering.warnings.push_back(fmt::format("only {} of the {} threads could be started",
+                                             rendering.threads, global.threads));
   std::vector<std::string> warnings = scene_warnings(task.document, task.run.scene_source);
   rendering.warnings.insert(rendering.warnings.begin(), warnings.begin(), warnings.end());
   return rendering;

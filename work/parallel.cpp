@@ -6,7 +6,12 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <system_error>
 #include <thread>
+#include <vector>
 
 namespace wander {
 
@@ -14,6 +19,51 @@ namespace {
 
 int available_threads() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+// Threads that stay until they are let go: so many can be there at one time.
+class StartedThreads {
+ public:
+  StartedThreads() = default;
+  ~StartedThreads() {
+    {
+      const std::lock_guard lock(mutex_);
+      may_end_ = true;
+    }
+    end_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+  StartedThreads(const StartedThreads&) = delete;
+  StartedThreads& operator=(const StartedThreads&) = delete;
+
+  bool start_one() {
+    try {
+      threads_.emplace_back([this] {
+        std::unique_lock lock(mutex_);
+        end_.wait(lock, [this] { return may_end_; });
+      });
+      return true;
+    } catch (const std::system_error&) {
+      return false;
+    }
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable end_;
+  bool may_end_ = false;
+  std::vector<std::thread> threads_;
+};
+
+// oneTBB ends the program where a thread of its own cannot start.
+int startable_threads(int wanted) {
+  static std::atomic<int> known{1};
+  if (wanted <= known) return wanted;
+  StartedThreads others;
+  int threads = 1;
+  while (threads < wanted && others.start_one()) ++threads;
+  if (threads == wanted) known = wanted;
+  return threads;
 }
 
 struct Ticket {
@@ -25,7 +75,7 @@ struct Ticket {
 
 Run::Run(const Session& session)
     : session_(session),
-      threads_(session.threads > 0 ? session.threads : available_threads()),
+      threads_(startable_threads(session.threads > 0 ? session.threads : available_threads())),
       kind_(time_kind_of(session.budget)),
       begun_(session.begun ? *session.begun : session.clock->now()) {}
 

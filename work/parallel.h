@@ -20,6 +20,7 @@ class Run {
   // Of the kind of time that the budget is in; wall time if it is in none.
   double spent() const { return clock().now().of(kind_) - begun_.of(kind_); }
   bool is_interrupted() const { return session_.interrupted && session_.interrupted->load(); }
+  // As many as the session asks for, or as can be started.
   int threads() const { return threads_; }
   const Session& session() const { return session_; }
   // At most ten times a second.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace wander {
@@ -19,6 +21,12 @@ float outside(double x, float side) {
 }
 float rounded_down(double x) { return outside(x, -1); }
 float rounded_up(double x) { return outside(x, 1); }
+
+// The power of two that brings a normal number between 1 and 2.
+double to_unit(double x) {
+  constexpr std::uint64_t exponent = 0x7FF0'0000'0000'0000, of_two = 0x7FE0'0000'0000'0000;
+  return std::bit_cast<double>(of_two - (std::bit_cast<std::uint64_t>(x) & exponent));
+}
 
 }  // namespace
 
@@ -116,7 +124,8 @@ WideBvh<W>::WideBvh(std::span<const Shape<W>> shapes) : shapes_(shapes) {
 
 // ---- traversal
 
-// A ray against the boxes of a node.
+// A ray against the boxes of a node, with a direction of the order of one: single precision would hold
+// neither its length nor its inverse where a scene is large or small.
 template <World W>
 struct WideBvh<W>::Slabs {
   struct Axis {
@@ -125,21 +134,29 @@ struct WideBvh<W>::Slabs {
     float inverse;          // of the direction
   };
   std::array<Axis, W::dimension> axes;
+  Length unit;  // of distances: so many of that direction are one of the ray's
 
   // Of (plane - origin) · inverse each step rounds once: relative errors of up to 3 ε/2, for the
   // entry and for the exit; the limit is rounded once more.
   static constexpr float widening = 1 + 8 * std::numeric_limits<float>::epsilon();
 
   Slabs(const Ray<W>& ray, const Point& center, Length scale) {
+    Length size = 0;
+    for (int axis = 0; axis < W::dimension; ++axis) size += std::abs(ray.direction[axis]);
+    const Length shortening = to_unit(size);
+    unit = scale / shortening;
     for (int axis = 0; axis < W::dimension; ++axis) {
       const Length origin = (ray.origin[axis] - center[axis]) * scale;
-      const auto inverse = static_cast<float>(1 / (ray.direction[axis] * scale));
+      const auto inverse = static_cast<float>(1 / (ray.direction[axis] * shortening));
       const float under = rounded_down(origin), over = rounded_up(origin);
       const bool rises = !std::signbit(inverse);
       axes[static_cast<std::size_t>(axis)] = {rises ? low : high, rises ? high : low,
                                               rises ? over : under, rises ? under : over, inverse};
     }
   }
+
+  // What is farther along the ray is of no interest.
+  float limit(Length distance) const { return static_cast<float>(distance * unit) * widening; }
 
   // Where the ray enters each box; never, if not before `limit`.
   Lanes enter(const Node& node, float limit) const {
@@ -171,12 +188,12 @@ void WideBvh<W>::traverse(const Ray<W>& ray, Leaf&& leaf) const {
   std::array<Entry, BoxTree<W>::depth_limit*(width - 1) + 1> stack;
   std::size_t height = 0;
   Length limit = ray.limit;
-  auto limit_of_boxes = static_cast<float>(limit) * Slabs::widening;
+  float limit_of_boxes = slabs.limit(limit);
   Entry entry{{0, 0}, 0};
   for (;;) {
     if (entry.child.count > 0) {
       limit = leaf(entry.child, limit);
-      limit_of_boxes = static_cast<float>(limit) * Slabs::widening;
+      limit_of_boxes = slabs.limit(limit);
     } else {
       const Node& node = nodes_[static_cast<std::size_t>(entry.child.first)];
       const Lanes distances = slabs.enter(node, limit_of_boxes);

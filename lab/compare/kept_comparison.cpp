@@ -82,8 +82,9 @@ struct KeptPart {
 };
 
 KeptPart read_part(const fs::path& file, const std::string& part) {
+  std::error_code problem;
   std::ifstream stream(file, std::ios::binary);
-  if (!stream) refuse(file, "cannot be read");
+  if (!stream || !fs::is_regular_file(file, problem)) refuse(file, "it cannot be read");
   const std::string whole{std::istreambuf_iterator<char>(stream), {}};
   if (!std::string_view(whole).starts_with(family)) refuse(file, "is no part of a comparison");
   const auto unbroken = unsealed(whole);

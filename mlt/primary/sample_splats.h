@@ -1,11 +1,13 @@
 // The sampler of PSSMLT [Kelemen et al. 2002]: u makes one whole bidirectional sample, all its
 // techniques by the balance heuristic, and
 //   C*(u) = Σ w_{s,t} f / p_{s,t}
-// over the paths that it finds, each of which is a splat on the film.
+// over the paths that it finds, each of which is a splat on the film.  Walks play Russian roulette with
+// numbers of u, which p knows of.
 #pragma once
 
 #include "core/path_sampler.h"
 #include "mlt/primary/primary_numbers.h"
+#include "mlt/seeds/seeds.h"
 #include "mlt/watch/statistics.h"
 
 namespace wander {
@@ -22,12 +24,15 @@ struct Splat {
   }
 };
 
-// Memory is reserved once, for a splat of every technique.
+// Memory is reserved once, for a splat of every technique, and where paths may be long for so many that
+// under roulette hardly a sample has more.
 template <class W>
 struct SampleSplats {
+  static constexpr std::size_t reserved = 2048;
+
   explicit SampleSplats(int max_vertices) {
     const auto n = static_cast<std::size_t>(max_vertices) + 1;
-    splats.reserve(n * (n + 1) / 2);
+    splats.reserve(std::min(n * (n + 1) / 2, reserved));
   }
 
   std::vector<Splat<W>> splats;
@@ -59,7 +64,7 @@ class SplatSampler {
 
   explicit SplatSampler(const Space& space)
       : space_(space),
-        sampler_(space, all_techniques, Heuristic::balance),
+        sampler_(space.with(SampleSeeds::roulette), all_techniques, Heuristic::balance),
         layout_(space.max_vertices()) {}
 
   const PrimaryLayout<W>& layout() const { return layout_; }

@@ -56,7 +56,8 @@ class Reservoirs {
 // Beside drawing, each kind of seeds says among which strata the states of its chains are compared
 // with the seed pass (bridge.h), by the ratios of what it found: one stratum for each target
 // density that the chains have; how much light a slice has found in a stratum; and whether the walks
-// of samples play Russian roulette, which a chain in primary sample space has no numbers for.
+// of samples play Russian roulette: so do those of a chain whose state is a whole sample, whose cost would
+// else grow with the square of max_vertices; a chain of one length has no use for it.
 
 // The seeds of chains whose state is a path of any length.
 class PathSeeds {
@@ -87,7 +88,7 @@ class PathSeeds {
 class SampleSeeds {
  public:
   static int strata(int) { return 1; }
-  static constexpr Roulette roulette = Roulette::off;
+  static constexpr Roulette roulette = Roulette::by_albedo;
   static constexpr Ratios ratios = Ratios::of_samples;
   static std::size_t stratum(int) { return 0; }
   static double light(const SeedTally& tally, std::size_t) { return tally.mean(); }

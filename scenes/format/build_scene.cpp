@@ -124,6 +124,27 @@ static std::shared_ptr<const Texture> texture_of(const description::MaterialKind
       kind);
 }
 
+// What rays meet of a shape.
+template <World W, class Add>
+void add_parts(const description::Shape& shape, Add&& add) {
+  description::visit_kind<W::dimension>(
+      [&](const auto& kind) {
+        if constexpr (W::dimension == 2)
+          add_curves<W>(kind, add);
+        else
+          add_surfaces<W>(kind, shape.light ? SurfaceRole::emitter : SurfaceRole::passive, add);
+      },
+      shape.kind);
+}
+
+template <World W>
+std::vector<std::size_t> shapes_named(const description::Scene& scene) {
+  std::vector<std::size_t> shapes;
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+    add_parts<W>(scene.shapes[i], [&](const Shape<W>&) { shapes.push_back(i); });
+  return shapes;
+}
+
 template <World W>
 std::unique_ptr<const Scene<W>> build_scene(const description::Scene& scene) {
   SceneParts<W> parts;
@@ -138,19 +159,11 @@ std::unique_ptr<const Scene<W>> build_scene(const description::Scene& scene) {
   for (const auto& shape : scene.shapes) {
     const description::Quantity radiance =
         shape.light ? shape.light->radiance : description::Quantity{};
-    const auto add = [&](Shape<W> made) {
+    add_parts<W>(shape, [&](Shape<W> made) {
       parts.parts.push_back({std::move(made), shape.material.value_or(black),
                              static_cast<typename W::Real>(luminance(radiance)),
                              shape.sensor.has_value(), tint<W>(radiance)});
-    };
-    description::visit_kind<W::dimension>(
-        [&](const auto& kind) {
-          if constexpr (W::dimension == 2)
-            add_curves<W>(kind, add);
-          else
-            add_surfaces<W>(kind, shape.light ? SurfaceRole::emitter : SurfaceRole::passive, add);
-        },
-        shape.kind);
+    });
   }
   if (scene.camera) parts.camera = build_camera<W>(*scene.camera);
   return std::make_unique<const Scene<W>>(std::move(parts));
@@ -160,6 +173,8 @@ template std::unique_ptr<const Scene<Flatland>> build_scene(const description::S
 template std::unique_ptr<const Scene<FlatlandSingle>> build_scene(const description::Scene&);
 template std::unique_ptr<const Scene<Spaceland>> build_scene(const description::Scene&);
 template std::unique_ptr<const Scene<SpacelandColour>> build_scene(const description::Scene&);
+template std::vector<std::size_t> shapes_named<Flatland>(const description::Scene&);
+template std::vector<std::size_t> shapes_named<Spaceland>(const description::Scene&);
 template Material<Flatland> build_material<Flatland>(const description::MaterialKind&);
 template Material<FlatlandSingle> build_material<FlatlandSingle>(const description::MaterialKind&);
 template Material<Spaceland> build_material<Spaceland>(const description::MaterialKind&);

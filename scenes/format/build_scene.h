@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "core/description.h"
 #include "core/scene.h"
@@ -12,6 +13,10 @@ namespace wander {
 // Where `W` has one channel, a colour is its luminance.
 template <World W>
 std::unique_ptr<const Scene<W>> build_scene(const description::Scene& scene);
+
+// Of each shape of the built scene, which shape of the file it is, or is a part of.
+template <World W>
+std::vector<std::size_t> shapes_named(const description::Scene& scene);
 
 // In a world of two dimensions, in the precision that is wanted.
 template <World W = Flatland>

@@ -34,15 +34,15 @@ struct End {
 
 enum class Doubt { alone, overlap, facing, gap };
 
-class Lint {
+class LintOfPlane {
  public:
-  explicit Lint(const description::Scene& scene)
+  explicit LintOfPlane(const description::Scene& scene)
       : scene_(scene), parts_(pieces_of(scene)), ends_(parts_.pieces.size()) {
     // Of a point computed from coordinates this far from the origin.
     rounding_ = 32 * std::numeric_limits<double>::epsilon() * (1 + parts_.remoteness);
   }
 
-  std::vector<Fault> warnings() && {
+  Lint found() && {
     if (parts_.pieces.empty()) return {};
     doubt_extent();
     doubt_features();
@@ -50,7 +50,7 @@ class Lint {
       doubt_pairs();
       doubt_gaps();
     }
-    return std::move(warnings_);
+    return std::move(found_);
   }
 
  private:
@@ -68,14 +68,18 @@ class Lint {
   double in_metres(double length) const { return length * parts_.diameter; }
 
   // Says each kind of doubt about a shape, or about two, once.
-  void warn(Doubt doubt, std::size_t shape, std::size_t other, std::string what);
+  void warn(Doubt doubt, std::size_t shape, std::size_t other, std::string what) {
+    note(found_.warnings, doubt, shape, other, std::move(what));
+  }
+  void note(std::vector<Fault>& list, Doubt doubt, std::size_t shape, std::size_t other,
+            std::string what);
 
   const description::Scene& scene_;
   Pieces parts_;
   double rounding_ = 0;
   std::vector<std::array<End, 2>> ends_;
   std::set<std::tuple<Doubt, std::size_t, std::size_t>> said_;
-  std::vector<Fault> warnings_;
+  Lint found_;
 };
 
 bool has_role(const Piece& piece) { return piece.is_light || piece.is_sensor; }
@@ -94,14 +98,15 @@ bool cross_each_other(const Piece& a, const Piece& b) {
   return differ(a.side(b.from), a.side(b.to)) && differ(b.side(a.from), b.side(a.to));
 }
 
-void Lint::warn(Doubt doubt, std::size_t shape, std::size_t other, std::string what) {
+void LintOfPlane::note(std::vector<Fault>& list, Doubt doubt, std::size_t shape, std::size_t other,
+                       std::string what) {
   const auto [low, high] = std::minmax(shape, other);
-  if (warnings_.size() >= most_warnings || !said_.emplace(doubt, low, high).second) return;
+  if (list.size() >= most_findings || !said_.emplace(doubt, low, high).second) return;
   const description::Shape& place = scene_.shapes[shape];
-  warnings_.push_back({place.line, place.column, pointer_to(shape), std::move(what)});
+  list.push_back({place.line, place.column, pointer_to(shape), std::move(what)});
 }
 
-void Lint::doubt_extent() {
+void LintOfPlane::doubt_extent() {
   if (parts_.remoteness > most_remote)
     warn(Doubt::alone, 0, 0,
          fmt::format("the scene lies {:.1e} of its diameters from the origin, which costs as many "
@@ -109,7 +114,7 @@ void Lint::doubt_extent() {
                      parts_.remoteness));
 }
 
-void Lint::doubt_features() {
+void LintOfPlane::doubt_features() {
   for (const Piece& piece : parts_.pieces) {
     double feature = piece.length();
     if (piece.carrier == Piece::Carrier::circle) feature = std::min(feature, piece.radius);
@@ -122,7 +127,7 @@ void Lint::doubt_features() {
 }
 
 // Along x, only neighbours can touch.
-void Lint::doubt_pairs() {
+void LintOfPlane::doubt_pairs() {
   const auto& pieces = parts_.pieces;
   std::vector<std::size_t> order(pieces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -150,7 +155,7 @@ void Lint::doubt_pairs() {
   }
 }
 
-void Lint::doubt_pair(const Piece& a, const Piece& b) {
+void LintOfPlane::doubt_pair(const Piece& a, const Piece& b) {
   if (overlap(a, b)) {
     doubt_overlap(a, b);
     return;
@@ -159,7 +164,7 @@ void Lint::doubt_pair(const Piece& a, const Piece& b) {
   if (b.is_light) doubt_facing(b, a);
 }
 
-bool Lint::share_carrier(const Piece& a, const Piece& b) const {
+bool LintOfPlane::share_carrier(const Piece& a, const Piece& b) const {
   if (a.carrier != b.carrier) return false;
   if (a.carrier == Piece::Carrier::circle)
     return glm::length(a.center - b.center) <= rounding_ &&
@@ -169,7 +174,7 @@ bool Lint::share_carrier(const Piece& a, const Piece& b) const {
          std::abs(longer.side(shorter.to)) <= rounding_;
 }
 
-bool Lint::overlap(const Piece& a, const Piece& b) const {
+bool LintOfPlane::overlap(const Piece& a, const Piece& b) const {
   if (!share_carrier(a, b)) return false;
   if (std::min(a.length(), b.length()) < 4 * rounding_) return false;  // too small to tell
   const auto lies_on = [this](const Piece& piece, const Piece& other) {
@@ -180,27 +185,18 @@ bool Lint::overlap(const Piece& a, const Piece& b) const {
   return lies_on(a, b) || lies_on(b, a);
 }
 
-void Lint::doubt_overlap(const Piece& a, const Piece& b) {
+void LintOfPlane::doubt_overlap(const Piece& a, const Piece& b) {
   const bool second = has_role(b) == has_role(a) ? b.shape > a.shape : has_role(b);
   const Piece& piece = second ? b : a;
   const Piece& other = second ? a : b;
-  const std::string there = pointer_to(other.shape);
-  if (piece.shape == other.shape)
-    warn(Doubt::overlap, piece.shape, other.shape,
-         "parts of this shape lie on each other; which of them light meets is left to rounding");
-  else if (has_role(piece))
-    warn(Doubt::overlap, piece.shape, other.shape,
-         fmt::format("the {0} lies on {1} at no distance and may be hidden by it; move it a small "
-                     "distance off, or put the {0} on {1} itself",
-                     piece.is_light ? "light" : "sensor", there));
-  else
-    warn(Doubt::overlap, piece.shape, other.shape,
-         fmt::format("this shape lies on {}; which of the two light meets is left to rounding: "
-                     "shorten or remove one",
-                     there));
+  note(found_.faults, Doubt::overlap, piece.shape, other.shape,
+       piece.shape == other.shape ? "parts of this shape lie on each other; leave one of them out"
+       : has_role(piece)          ? light_or_sensor_lies_on(piece.is_light, other.shape)
+                         : fmt::format("this shape lies on {}; shorten or remove one of the two",
+                                       pointer_to(other.shape)));
 }
 
-void Lint::doubt_facing(const Piece& light, const Piece& wall) {
+void LintOfPlane::doubt_facing(const Piece& light, const Piece& wall) {
   if (light.shape == wall.shape) return;
   double farthest = 0;
   for (const glm::dvec2 point : inner_points(light)) {
@@ -217,7 +213,7 @@ void Lint::doubt_facing(const Piece& light, const Piece& wall) {
 }
 
 // A light or sensor just above a wall is no leak: of these only the ends can meet.
-void Lint::measure_gaps(std::size_t i, const Piece& other) {
+void LintOfPlane::measure_gaps(std::size_t i, const Piece& other) {
   const Piece& piece = parts_.pieces[i];
   if (piece.is_closed()) return;
   const bool is_large = std::min(piece.length(), other.length()) > 2 * near;
@@ -239,7 +235,7 @@ void Lint::measure_gaps(std::size_t i, const Piece& other) {
   }
 }
 
-void Lint::doubt_gaps() {
+void LintOfPlane::doubt_gaps() {
   for (std::size_t i = 0; i < ends_.size(); ++i)
     for (const End& end : ends_[i])
       if (!end.is_joined && end.gap < near)
@@ -251,8 +247,15 @@ void Lint::doubt_gaps() {
 
 }  // namespace
 
-std::vector<Fault> lint(const description::Scene& scene) {
-  return scene.dimension == 3 ? lint_space(scene) : Lint(scene).warnings();
+std::string light_or_sensor_lies_on(bool is_light, std::size_t shape) {
+  return fmt::format(
+      "the {0} lies on {1} at no distance; move it a small distance off, or put the "
+      "{0} on {1} itself",
+      is_light ? "light" : "sensor", pointer_to(shape));
+}
+
+Lint lint(const description::Scene& scene) {
+  return scene.dimension == 3 ? lint_space(scene) : LintOfPlane(scene).found();
 }
 
 }  // namespace wander

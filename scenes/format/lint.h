@@ -1,13 +1,16 @@
-// Doubts about the geometry of a valid scene: what is allowed but rarely meant.
+// What is looked for in the geometry of a scene whose every shape is sound: what no two methods would
+// render alike, and what is allowed but rarely meant.
 //
-//   shapes that lie on each other          which of them light meets is left to rounding
-//   a light or sensor on another surface   at no distance, or a light that faces one
+//   shapes that lie on each other          which of them light meets is left to rounding, and no two
+//                                          methods round alike: refused, in space where one of them is
+//                                          a light or sensor, else doubted
+//   a light that faces another surface at almost no distance
 //   ends that nearly meet                  light leaks through a gap below 1e-6 of the diameter
 //   features below 1e-12 of the diameter, and scenes beyond 1e6 diameters from the origin
 //
 // Shapes are compared in pairs that a sweep finds: at most 2 million pairs whose boxes meet, and 32
 // million others.  Of scenes with more only a part is compared, and a warning says so.  At most 100
-// warnings.  Of scenes of three dimensions less is doubted: lint_space.h.
+// of each.  Of scenes of three dimensions less is doubted: lint_space.h.
 #pragma once
 
 #include <vector>
@@ -17,6 +20,11 @@
 
 namespace wander {
 
-std::vector<Fault> lint(const description::Scene& scene);
+struct Lint {
+  std::vector<Fault> faults;    // the scene cannot be rendered
+  std::vector<Fault> warnings;  // it can
+};
+
+Lint lint(const description::Scene& scene);
 
 }  // namespace wander

@@ -1,7 +1,8 @@
-// What lint finds worth a warning, in the plane and in space alike.
+// What lint finds and how it says so, in the plane and in space alike.
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 namespace wander {
 
@@ -9,6 +10,9 @@ namespace wander {
 constexpr double smallest_feature = 1e-12;
 constexpr double most_remote = 1e6;
 
-constexpr std::size_t most_warnings = 100;
+constexpr std::size_t most_findings = 100;
+
+// Of a light, or else a sensor, on the surface of this shape.
+std::string light_or_sensor_lies_on(bool is_light, std::size_t shape);
 
 }  // namespace wander

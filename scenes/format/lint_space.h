@@ -1,18 +1,15 @@
-// Doubts about the geometry of a valid scene of three dimensions; of meshes, what can be told of
-// each triangle alone.
+// What lint looks for in a scene of three dimensions.
 //
-//   a flat light or sensor that lies on another flat shape
+//   a light or sensor that lies on another shape, faces of meshes included: refused
+//   other flat shapes that lie on each other: most are a box that stands on a floor
 //   triangles of a mesh that have no area, which light never meets
 //   features below 1e-12 of the diameter, and scenes beyond 1e6 diameters from the origin
 #pragma once
 
-#include <vector>
-
-#include "core/description.h"
-#include "scenes/format/scene_file_fault.h"
+#include "scenes/format/lint.h"
 
 namespace wander {
 
-std::vector<Fault> lint_space(const description::Scene& scene);
+Lint lint_space(const description::Scene& scene);
 
 }  // namespace wander

@@ -64,7 +64,7 @@ void MeshText::refuse(std::string_view what) const {
 double coordinate(double value, const MeshText& text) {
   if (!(std::abs(value) <= largest_coordinate))
     text.refuse(
-        fmt::format("{} is not allowed; a coordinate is a number from -1e150 to 1e150", value));
+        fmt::format("{} is not allowed; a coordinate is a number from -1e60 to 1e60", value));
   return value;
 }
 

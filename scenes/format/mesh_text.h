@@ -6,10 +6,11 @@
 #include <string_view>
 
 #include "core/geometry/triangles.h"
+#include "core/shape_description.h"
 
 namespace wander {
 
-constexpr double largest_coordinate = 1e150;  // as in a scene
+using description::largest_coordinate;
 
 class MeshText {
  public:

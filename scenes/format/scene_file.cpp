@@ -93,6 +93,9 @@ std::string contents_of(const std::filesystem::path& path) {
     refuse(file, "there is no such file; check the path");
   if (std::filesystem::is_directory(status))
     refuse(file, "this is a directory; name a scene file in it");
+  // Those of a shell's <(command) have one who writes into them.
+  if (status.type() == std::filesystem::file_type::fifo && !file.starts_with("/dev/fd/"))
+    refuse(file, "this is a pipe; give its text on standard input, and - as the file");
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   std::string text = contents_of(stream);
@@ -122,7 +125,9 @@ SceneDocument parse_scene(std::string text, std::string_view name, const SceneFi
 
   SceneDocument result;
   result.scene = build_description(*reading.document, text, meshes, textures);
-  result.warnings = lint(result.scene);
+  Lint found = lint(result.scene);
+  if (!found.faults.empty()) throw SceneFileError(file, std::move(found.faults));
+  result.warnings = std::move(found.warnings);
   result.sha256 = sha256(text);
   result.text = std::move(text);
   return result;

@@ -194,9 +194,14 @@ void Check::check_camera() {
   if (*position->value == *target->value)
     note(*target, "position and target are the same point; a camera looks from one to another");
   else if (std::hypot(apart(0), apart(1), has_dimension(3) ? apart(2) : 0) < shortest_length)
-    note(*target, "nearer to position than 1e-150, the least length that can be computed with");
+    note(*target, "nearer to position than 1e-60, the least length that can be computed with");
   else if (has_dimension(3))
     check_up(*camera, {apart(0), apart(1), apart(2)});
+}
+
+Coordinates of_length_one(const Coordinates& v) {
+  const double length = std::hypot(v[0], v[1], v[2]);
+  return {v[0] / length, v[1] / length, v[2] / length};
 }
 
 void Check::check_up(JsonNode camera, const Coordinates& view) {
@@ -206,7 +211,7 @@ void Check::check_up(JsonNode camera, const Coordinates& view) {
   const Coordinates direction = up ? (*up)->get<Coordinates>() : y;
   if (description::too_near(direction, {}))
     note(*up, "up has no length; it is the direction that is up in the picture");
-  else if (description::is_narrow(direction, view))
+  else if (description::is_narrow(of_length_one(direction), of_length_one(view)))
     note(up ? *up : camera, fmt::format("the camera looks along {}; {} \"up\" across the view",
                                         up ? "up" : "y, which is its up unless it says otherwise",
                                         up ? "choose an" : "give it an"));

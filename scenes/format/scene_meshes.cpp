@@ -53,7 +53,7 @@ Triangles moved(Triangles triangles, const Transform& transform) {
     const Point p = transform(Point(point[0], point[1], point[2]));
     for (int axis = 0; axis < 3; ++axis) {
       if (!(std::abs(p[axis]) <= largest_coordinate))
-        throw MeshFileError("the transform leads beyond 1e150, the largest coordinate");
+        throw MeshFileError("the transform leads beyond 1e60, the largest coordinate");
       point[static_cast<std::size_t>(axis)] = p[axis] + 0.0;  // -0 is 0
     }
   }

@@ -154,13 +154,13 @@ TEST_F(CommandLine, DialsThatDoNotFitAreExitTwoAndSayWhy) {
   EXPECT_HAS(wander("render box.json -m pt --json --precision flaot").err,
              "did you mean \"float\"?");
   json scene = json::parse(box);
-  scene["shapes"][1]["light"]["radiance"] = 1e-40;
+  scene["materials"]["wall"]["reflectance"] = 1e-40;
   write("faint.json", scene.dump(1));
   for (const char* verb : {"render -m pt", "trace", "check"}) {
     const std::string word(verb);
     const Outcome outcome = wander(word + " faint.json --json --precision float");
     EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
-    EXPECT_HAS(outcome.err, "radiance 1e-40: allowed is 1e-30 to 1e+30; use double");
+    EXPECT_HAS(outcome.err, "reflectance 1e-40: allowed is 1e-30 to 1; use double");
   }
   EXPECT_EQ(wander("render faint.json -m pt -b 1k --json -q").exit_code, 0);
 }

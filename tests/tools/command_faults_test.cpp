@@ -50,7 +50,8 @@ TEST_F(CommandFaults, AreOneDocumentWithJson) {
 // In the same words, though each contender meets it.
 TEST_F(CommandFaults, OfAllContendersAreToldOnce) {
   write("dim.json", R"({"format": "wanderlight-scene/1", "dimension": 2, "shapes": [
-    {"type": "segment", "from": [1, 1], "to": [0, 1], "light": {"radiance": 1e-40}},
+    {"type": "segment", "from": [1, 1], "to": [0, 1], "light": {"radiance": 1}},
+    {"type": "segment", "from": [1e20, 0], "to": [1e20, 1]},
     {"type": "segment", "from": [0, 0], "to": [1, 0], "sensor": {"bins": 8}}]})");
   const Outcome outcome =
       wander("compare dim.json -m pt,bdpt --sweep precision=float -b 1k -o out");

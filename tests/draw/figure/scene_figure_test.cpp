@@ -99,7 +99,7 @@ TEST(SceneFigure, TwoArcsThatMeetAreARegionWhenTheirBacksAreWithin) {
 }
 
 TEST(SceneFigure, SurvivesScenesOfAnySizeAndPlace) {
-  for (const double scale : {1e-9, 1., 1e9, 1e150}) {
+  for (const double scale : {1e-9, 1., 1e9, 1e60}) {
     for (const double offset : {0., 1e6}) {
       d::Scene scene;
       d::Shape light = segment({offset * scale, 0}, {(offset + 1) * scale, 0});

@@ -197,7 +197,7 @@ template <class Space>
 void expect_invariance_of_whole_samples(const Space& space) {
   for (const double large : {0.0, 0.3}) {
     const auto report = invariance<PrimaryChain>(space, SplatSampler<Space>(space),
-                                                 {.samples = 9'000, .large_step = large});
+                                                 {.samples = 12'000, .large_step = large});
     ASSERT_TRUE(report);
     EXPECT_TRUE(passes(report->one_step));
     EXPECT_TRUE(passes(report->many_steps));

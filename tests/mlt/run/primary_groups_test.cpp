@@ -35,7 +35,7 @@ TEST_P(PrimaryRooms, SeedsOfSamplesAreDrawnInProportionToTheirLight) {
   constexpr int chains = 20'000;
   constexpr std::uint64_t samples = 200, cell = 5;
   std::vector<double> light(samples / cell), observed(light.size());
-  PathSampler<Flat> sampler(space_, all_techniques, Heuristic::balance);
+  PathSampler<Flat> sampler(space_.with(SampleSeeds::roulette), all_techniques, Heuristic::balance);
   Rng random(3, Purpose::seed_pass, 2);
   for (std::uint64_t i = 0; i < samples; ++i) {
     random.start(i);

@@ -20,16 +20,54 @@ TEST(LintOfSpace, DoubtsNothingOfASoundScene) {
             0u);
 }
 
-TEST(LintOfSpace, DoubtsLightsAndSensorsThatLieOnOtherShapes) {
+// Of a scene with this shape.
+std::vector<Fault> faults(const std::string& shape) {
+  try {
+    parse(with_solid(shape));
+  } catch (const SceneFileError& error) {
+    return error.faults;
+  }
+  return {};
+}
+
+TEST(LintOfSpace, RefusesLightsAndSensorsThatLieOnOtherShapes) {
   for (const char* shape : {R"({ "type": "parallelogram", "origin": [-1, 0, 1],
                                  "edges": [[3, 0, 0], [0, 0, -3]] })",
                             R"({ "type": "triangle",
                                  "points": [[0.2, 0, -0.2], [0.4, 0, -0.2], [0.2, 0, -0.4]] })"}) {
-    const std::vector<Fault> found = doubts(shape);
+    const std::vector<Fault> found = faults(shape);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(found[0].pointer, "/shapes/1");
-    EXPECT_NE(found[0].what.find("the sensor lies on /shapes/2"), std::string::npos);
+    EXPECT_NE(found[0].what.find("the sensor lies on /shapes/2 at no distance"), std::string::npos);
   }
+}
+
+TEST(LintOfSpace, RefusesALightThatIsThereTwice) {
+  const std::string ball = R"({ "type": "sphere", "center": [0, 3, 0], "radius": 1 })";
+  const std::string lamp = R"({ "type": "sphere", "center": [0, 3, 0], "radius": 1,
+                                "light": { "radiance": 1 } })";
+  EXPECT_EQ(faults(ball).size(), 0u);
+  const std::vector<Fault> found = faults(ball + ", " + lamp);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].pointer, "/shapes/3");
+  EXPECT_NE(found[0].what.find("the light lies on /shapes/2"), std::string::npos);
+  // Two lights in one place are said once.
+  EXPECT_EQ(faults(lamp + ", " + lamp).size(), 1u);
+}
+
+// Most stand on a floor, where light meets neither.
+TEST(LintOfSpace, DoubtsOtherSheetsThatLieOnEachOther) {
+  const std::string sheet = R"({ "type": "parallelogram", "origin": [5, 1, 5],
+                                 "edges": [[1, 0, 0], [0, 0, 1]] })";
+  const std::string corner = R"({ "type": "triangle",
+                                  "points": [[5.5, 1, 5.5], [7, 1, 5.5], [5.5, 1, 7]] })";
+  const std::vector<Fault> found = doubts(sheet + ", " + corner);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].pointer, "/shapes/3");
+  EXPECT_NE(found[0].what.find("this shape lies on /shapes/2"), std::string::npos);
+  const std::string beside = R"({ "type": "triangle",
+                                  "points": [[6, 1, 5], [7, 1, 5], [6, 1, 6]] })";
+  EXPECT_EQ(doubts(sheet + ", " + beside).size(), 0u);
 }
 
 TEST(LintOfSpace, DoubtsFeaturesAndPlacesThatCostDigits) {
@@ -53,23 +91,22 @@ TEST(LintOfSpace, CountsTrianglesWithoutArea) {
   triangles->points = {{0, 1, 0}, {1, 1, 0}, {0, 2, 0}};
   triangles->corners = {{0, 1, 2}, {0, 1, 1}, {0, 0, 0}};
   scene.shapes.emplace_back().kind = description::Mesh{"m.obj", triangles};
-  const std::vector<Fault> found = lint(scene);
+  const std::vector<Fault> found = lint(scene).warnings;
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NE(found[0].what.find("2 of the triangles of this mesh have no area"), std::string::npos);
 }
 
-// Of a mesh of more faces, each may lie where it will.
-TEST(LintOfSpace, LooksAtAMeshOfOneTriangleAsAtATriangle) {
+TEST(LintOfSpace, LooksAtEveryFaceOfAMeshBesideALightOrSensor) {
   description::Scene scene = parse(space_only("[" + a_lamp + "," + a_screen + "]")).scene;
   auto triangles = std::make_shared<Triangles>();
-  triangles->points = {{0.2, 0, -0.2}, {0.4, 0, -0.2}, {0.2, 0, -0.4}};
-  triangles->corners = {{0, 1, 2}};
+  triangles->points = {{0.2, 0, -0.2}, {0.4, 0, -0.2}, {0.2, 0, -0.4}, {0.2, 9, 0.2}, {0.4, 9, 0}};
+  triangles->corners = {{0, 3, 4}, {0, 1, 2}};
   scene.shapes.emplace_back().kind = description::Mesh{"m.obj", triangles};
-  const std::vector<Fault> found = lint(scene);
+  const std::vector<Fault> found = lint(scene).faults;
   ASSERT_EQ(found.size(), 1u);
   EXPECT_NE(found[0].what.find("the sensor lies on /shapes/2"), std::string::npos);
-  triangles->corners.push_back({0, 2, 1});
-  EXPECT_TRUE(lint(scene).empty());
+  triangles->corners = {{0, 3, 4}};
+  EXPECT_TRUE(lint(scene).faults.empty());
 }
 
 }  // namespace

@@ -48,13 +48,13 @@ INSTANTIATE_TEST_SUITE_P(
                   {{"/shapes/2/to", "a segment has a length > 0"}}},
         Malformed{"SegmentTooShort",
                   with_shape(R"({ "type": "segment", "from": [0, 1e-310], "to": ^[1e-310, 0] })"),
-                  {{"/shapes/2/to", "shorter than 1e-150"}}},
+                  {{"/shapes/2/to", "shorter than 1e-60"}}},
         Malformed{"SideTooShort",
                   with_shape(R"({ "type": "polyline", "points": [[0, 0], ^[0, 1e-160], [1, 0]] })"),
-                  {{"/shapes/2/points/1", "shorter than 1e-150"}}},
+                  {{"/shapes/2/points/1", "shorter than 1e-60"}}},
         Malformed{"RadiusTooShort",
                   with_shape(R"({ "type": "circle", "center": [0, 0], "radius": ^1e-310 })"),
-                  {{"/shapes/2/radius", "shorter than 1e-150"}}},
+                  {{"/shapes/2/radius", "shorter than 1e-60"}}},
         Malformed{
             "RepeatedPoint",
             with_shape(R"({ "type": "polyline", "points": [[0, 0], [1, 0], ^[1, 0], [2, 0]] })"),
@@ -109,6 +109,17 @@ INSTANTIATE_TEST_SUITE_P(
             with_shape(
                 R"({"type": "segment", "from": [0,2], "to": [1,2], "light": {"radiance": ^-1}})"),
             {{"/shapes/2/light/radiance", "-1 is not allowed; a radiance is > 0"}}},
+        Malformed{
+            "RadianceTooLarge",
+            with_shape(
+                R"({"type": "segment", "from": [0,2], "to": [1,2], "light": {"radiance": ^1.1e30}})"),
+            {{"/shapes/2/light/radiance",
+              "1.1e30 is not allowed; a radiance is > 0, from 1e-30 to 1e30"}}},
+        Malformed{
+            "RadianceTooSmall",
+            with_shape(
+                R"({"type": "segment", "from": [0,2], "to": [1,2], "light": {"radiance": ^9e-31}})"),
+            {{"/shapes/2/light/radiance", "9e-31 is not allowed"}}},
         Malformed{"LightIsNumber",
                   with_shape(R"({"type": "segment", "from": [0,2], "to": [1,2], "light": ^5})"),
                   {{"/shapes/2/light", "5 is not an object; a light is { \"radiance\": > 0 }"}}},
@@ -159,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"CameraTooNear",
                   shapes_only("[" + a_light + R"(], "camera": {
             "type": "perspective", "position": [0,2e-200], "target": ^[0,1e-200], "fov_deg": 40, "resolution": 8})"),
-                  {{"/camera/target", "nearer to position than 1e-150"}}},
+                  {{"/camera/target", "nearer to position than 1e-60"}}},
         Malformed{"CameraWithoutDirection",
                   shapes_only("[" + a_light + R"(], "camera": {
             "type": "perspective", "position": [1,2], "target": ^[1,2], "fov_deg": 40, "resolution": 8})"),

@@ -103,13 +103,13 @@ TEST(SceneFile, HasEightVerticesAtMostUnlessItSaysOtherwise) {
 
 TEST(SceneFile, ReadsNumbersToTheLastDigitInAnyLocale) {
   const std::string text = with_shape(
-      R"({ "type": "segment", "from": [0.1, 5e-324], "to": [1.7976931348623157e100, 1E2] })");
+      R"({ "type": "segment", "from": [0.1, 5e-324], "to": [1.7976931348623157e50, 1E2] })");
   const std::string before = std::setlocale(LC_ALL, nullptr);
   for (const char* locale : {"C", "de_DE.UTF-8", "fr_FR.UTF-8"}) {
     std::setlocale(LC_ALL, locale);  // where it is installed
     const auto segment = std::get<Segment>(parse(text).scene.shapes[2].kind);
     EXPECT_EQ(segment.from, (Coordinates{0.1, 5e-324, 0}));
-    EXPECT_EQ(segment.to, (Coordinates{1.7976931348623157e100, 100, 0}));
+    EXPECT_EQ(segment.to, (Coordinates{1.7976931348623157e50, 100, 0}));
   }
   std::setlocale(LC_ALL, before.c_str());
 }

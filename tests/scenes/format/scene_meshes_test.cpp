@@ -145,7 +145,7 @@ TEST_F(SceneFolder, TellsWhatIsWrongWithAFile) {
   write("scene/a.obj", "v 0 0 0\nf 1 1 2\n");
   write("scene/empty.obj", "v 0 0 0\n");
   write("scene/a.stl", one_triangle);
-  write("scene/far.obj", "v 1e140 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
+  write("scene/far.obj", "v 1e50 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n");
   EXPECT_EQ(fault(R"("file": "none.obj")"), "none.obj: there is no such file; check the path");
   EXPECT_EQ(fault(R"("file": "a.obj")"), "a.obj: line 2: there is no corner 2; the file has 1");
   EXPECT_EQ(fault(R"("file": "empty.obj")"),
@@ -157,7 +157,7 @@ TEST_F(SceneFolder, TellsWhatIsWrongWithAFile) {
             "folder.obj: this is no file of data; name an OBJ or PLY file");
   EXPECT_EQ(fault(R"("file": "far.obj",
     "transform": [[1e20, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])"),
-            "far.obj: the transform leads beyond 1e150, the largest coordinate");
+            "far.obj: the transform leads beyond 1e60, the largest coordinate");
 }
 
 TEST_F(SceneFolder, TellsFaultsOfMeshesBesideThoseOfTheScene) {

@@ -317,7 +317,7 @@ TEST_F(ImportedShapesOf, ThatMakeNoValidSceneAreToldAtTheirPlace) {
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].line, 2);
   EXPECT_EQ(found[0].path, "/scene/shape[1]");
-  EXPECT_SAYS(found[0].what, "/shapes/0/radius: shorter than 1e-150");
+  EXPECT_SAYS(found[0].what, "/shapes/0/radius: shorter than 1e-60");
 }
 
 }  // namespace

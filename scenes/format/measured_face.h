@@ -1,0 +1,70 @@
+// The faces of surfaces in space, as their extent and what lies on each other are measured: never on the
+// way of light.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <limits>
+#include <optional>
+#include <variant>
+
+#include "core/description.h"
+
+namespace wander {
+
+// A triangle or parallelogram: corner + u edge0 + v edge1.
+struct Sheet {
+  glm::dvec3 corner{}, edge0{}, edge1{};
+  bool is_triangle = false;
+
+  bool has_area() const { return glm::cross(edge0, edge1) != glm::dvec3(0); }
+  glm::dvec3 normal() const { return glm::normalize(glm::cross(edge0, edge1)); }
+  double shortest_side() const;
+  std::array<glm::dvec3, 4> inner_points() const;
+  bool holds(glm::dvec3 point) const;  // of a point in its plane
+};
+
+struct Ball {
+  glm::dvec3 center{};
+  double radius = 0;
+};
+
+using Face = std::variant<Sheet, Ball>;
+
+struct Extent {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  glm::dvec3 low{infinity}, high{-infinity};
+
+  void include(glm::dvec3 point) {
+    low = glm::min(low, point);
+    high = glm::max(high, point);
+  }
+  void include(const Extent& other) {
+    low = glm::min(low, other.low);
+    high = glm::max(high, other.high);
+  }
+  // Within this distance.
+  bool meets(const Extent& other, double distance) const {
+    return glm::all(glm::lessThanEqual(low, other.high + distance)) &&
+           glm::all(glm::lessThanEqual(other.low, high + distance));
+  }
+};
+
+Face face_of(const description::Triangle& triangle);
+Face face_of(const description::Parallelogram& parallelogram);
+Face face_of(const description::Sphere& sphere);
+Extent extent_of(const Face& face);
+
+template <class Visitor>
+void for_each_face(const description::ShapeKind& kind, Visitor&& visit) {
+  description::visit_kind<3>(
+      [&](const auto& surface) {
+        surface.for_each_face([&](const auto& face) { visit(face_of(face)); });
+      },
+      kind);
+}
+
+// Of a shape that has one flat face that has an area.
+std::optional<Face> only_face_of(const description::ShapeKind& kind);
+
+}  // namespace wander

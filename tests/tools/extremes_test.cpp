@@ -1,0 +1,134 @@
+// What the program does at the edge: of scenes, files and machines.
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/command_line.h"
+
+namespace wander::test {
+namespace {
+
+using nlohmann::json;
+using Extremes = CommandLine;
+
+TEST_F(Extremes, AreCheckedForEveryMethodInBothPrecisions) {
+  const Outcome check = wander("check box.json --extremes --samples 2k");
+  EXPECT_EQ(check.exit_code, 0) << check.err;
+  for (const char* part :
+       {"bdpt in double", "mmlt in float", "lengths x 2^100            ", "radiances x 2^-90",
+        "turned by 90 degrees", "a material that is not used",
+        "are the same to the last bit, 0 differ", ": passed\n"})
+    EXPECT_HAS(check.out, part);
+  // Single precision has a range of its own.
+  EXPECT_HAS(check.out, "refused: ");
+  const Outcome outcome = wander("check box.json --extremes --samples 2k --json");
+  const json document = json::parse(outcome.out);
+  EXPECT_EQ(document["schema"], "wanderlight-extremes/1");
+  EXPECT_EQ(document["passed"], true);
+  EXPECT_EQ(document["checks"].size(), 2 * 8 * 10u);
+  for (const json& one : document["checks"]) EXPECT_NE(one["verdict"], "differs") << one;
+}
+
+TEST_F(Extremes, AFilmHasErrorsAtBothEndsOfTheRangeOfRadiances) {
+  for (const char* radiance : {"1e-30", "1e30"}) {
+    json scene = json::parse(box);
+    for (json& shape : scene["shapes"])
+      if (shape.contains("light")) shape["light"]["radiance"] = json::parse(radiance);
+    write("edge.json", scene.dump(1));
+    for (const char* method : {"bdpt", "mlt", "pssmlt", "mmlt"}) {
+      const Outcome run =
+          wander(fmt::format("render edge.json -m {} -b 20k -q --json -o run --force", method));
+      ASSERT_EQ(run.exit_code, 0) << run.err;
+      EXPECT_EQ(run.err, "");
+      const json film = json::parse(run.out)["film"];
+      for (std::size_t i = 0; i < film["value"].size(); ++i)
+        EXPECT_TRUE(film["value"][i] == 0 || film["standard_error"][i] > 0) << method << ' ' << i;
+    }
+  }
+}
+
+TEST_F(Extremes, ThreadsThatCannotStartAreLeftOut) {
+  const Outcome few =
+      shell("ulimit -v 900000; \"$WANDER\" render box.json -m bdpt -b 20k -t 500 -q --json -o few");
+  ASSERT_EQ(few.exit_code, 0) << few.err;
+  const json run = json::parse(few.out);
+  EXPECT_LT(run["threads"], 500);
+  EXPECT_HAS(run["warnings"].dump(), "of the 500 threads could be started");
+  const Outcome one = wander("render box.json -m bdpt -b 20k -t 1 -q --json -o one");
+  EXPECT_EQ(json::parse(one.out)["film"]["value"], run["film"]["value"]);
+}
+
+TEST_F(Extremes, APipeIsNotWaitedFor) {
+  ASSERT_EQ(mkfifo((folder / "pipe.json").c_str(), 0600), 0);
+  for (const char* verb : {"inspect pipe.json", "plot pipe.json -o a.svg", "check pipe.json",
+                           "render pipe.json -m bdpt -b 1k -o run"}) {
+    const Outcome outcome = shell(fmt::format("timeout 20 \"$WANDER\" {}", verb));
+    EXPECT_EQ(outcome.exit_code, 3) << verb;
+    EXPECT_HAS(outcome.err, "pipe.json:1:1: /: this is a pipe; give its text on standard input");
+  }
+  EXPECT_EQ(shell("bash -c '\"$WANDER\" inspect <(cat box.json)'").exit_code, 0);
+}
+
+TEST_F(Extremes, ADirectoryInPlaceOfAFileHasAPlace) {
+  ASSERT_EQ(wander("compare box.json -m bdpt,pt -b 2k --replicates 2 -q -o duel").exit_code, 0);
+  fs::remove(folder / "duel/kept/plan");
+  fs::create_directory(folder / "duel/kept/plan");
+  const Outcome again =
+      wander("compare box.json -m bdpt,pt -b 2k --replicates 2 -q -o duel --continue");
+  EXPECT_EQ(again.exit_code, 3);
+  EXPECT_HAS(again.err, "duel/kept/plan: it cannot be read");
+}
+
+// Each key of an object is looked for among those before it.
+TEST_F(Extremes, AFileOfManyUnknownKeysIsReadAndRefused) {
+  std::string text = R"({"format": "wanderlight-scene/1", "dimension": 2, "shapes": [])";
+  for (int i = 0; i < 90'000; ++i) text += fmt::format(", \"key{}\": 1", i);
+  write("keys.json", text + "}");
+  const Outcome outcome = shell("ulimit -t 5; \"$WANDER\" inspect keys.json");
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_HAS(outcome.err, "unknown key \"key0\"");
+  EXPECT_HAS(outcome.err, "more faults follow");
+}
+
+TEST_F(Extremes, LongPathsAreSampledByEveryMethod) {
+  json scene = json::parse(box);
+  scene["max_vertices"] = 1000;
+  write("long.json", scene.dump(1));
+  for (const char* method : {"bdpt", "mlt", "pssmlt"}) {
+    const Outcome run = shell(fmt::format(
+        "ulimit -t 60; \"$WANDER\" render long.json -m {} -b 2k -q -t 1 -o run --force", method));
+    EXPECT_EQ(run.exit_code, 0) << method << ": " << run.err;
+  }
+}
+
+TEST_F(Extremes, ACameraLooksAcrossAnyDistance) {
+  for (const char* distance : {"1e-20", "1e30"}) {
+    write("far.json", fmt::format(R"({{ "format": "wanderlight-scene/1", "dimension": 3, "shapes": [
+      {{ "type": "sphere", "center": [0, 0, 0], "radius": {0}, "light": {{ "radiance": 1 }} }}],
+      "camera": {{ "type": "perspective", "position": [0, 0, {1}], "target": [0, 0, 0],
+                  "fov_deg": 40, "resolution": [4, 4] }} }})",
+                                  distance, std::stod(distance) * 4));
+    EXPECT_EQ(wander("inspect far.json").exit_code, 0) << wander("inspect far.json").err;
+  }
+}
+
+TEST_F(Extremes, InspectSaysWhereGlassMakesNoSense) {
+  json scene = json::parse(box);
+  scene["materials"]["glass"] = {{"type", "dielectric"}, {"ior", 1.5}};
+  for (const double x : {0.9, 1.1})
+    scene["shapes"].push_back(
+        {{"type", "circle"}, {"center", {x, 0.5}}, {"radius", 0.15}, {"material", "glass"}});
+  write("discs.json", scene.dump(1));
+  const Outcome inspection = wander("inspect discs.json");
+  EXPECT_EQ(inspection.exit_code, 0);
+  EXPECT_HAS(inspection.err, "in a medium of index 1.5");
+  EXPECT_HAS(inspection.out, "at the sensor   index of refraction 1\n");
+  EXPECT_HAS(inspection.out, "bidirectional samples find some");
+  const json probe = json::parse(wander("inspect discs.json --json").out)["probe"];
+  EXPECT_EQ(probe["index_at_sensor"], 1);
+  EXPECT_GT(probe["samples_with_light"], 0);
+}
+
+}  // namespace
+}  // namespace wander::test
