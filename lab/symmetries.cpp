@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 #include <stdexcept>
 
 #include "lab/engine.h"
@@ -223,7 +224,7 @@ std::vector<SymmetryCheck> check_symmetries(const Job& job,
                                             const Session& session,
                                             const std::function<void()>& done) {
   std::vector<SymmetryCheck> checks;
-  for (const Precision precision : precisions) {
+  for (const Precision precision : std::views::reverse(precisions)) {
     Dials dials = job.dials();
     dials.precision = precision;
     for (const Method& method : methods()) {

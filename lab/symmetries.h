@@ -35,7 +35,7 @@ struct SymmetryCheck {
 
 // Each variation of the job's scene by each method that renders it, in each precision, with the budget
 // and seed of the session.  Where the scene itself is refused, nothing is checked.  Calls done() after
-// each method of each precision, in their orders.
+// each method, first of double precision, then of single.
 std::vector<SymmetryCheck> check_symmetries(const Job& job,
                                             const std::vector<Variation>& variations,
                                             const Session& session,

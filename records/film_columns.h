@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "records/key_limit.h"
 #include "records/rendering.h"
 
 namespace wander {
@@ -32,11 +33,8 @@ class FilmColumns {
   };
   static bool take(Lists& lists, const std::string& name, const nlohmann::ordered_json& parsed);
 
-  // An object looks through all its keys to take one more; no record has nearly so many.
-  static constexpr std::size_t most_keys = 10'000;
-
   std::vector<std::string> place_;  // the keys on the way to what is being read
-  std::vector<std::size_t> keys_;   // read so far of each object on that way
+  KeyLimit limit_;
   Lists film_, chains_, samples_;
 };
 

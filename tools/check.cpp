@@ -7,6 +7,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <ranges>
 
 #include "lab/engine.h"
 #include "lab/failure.h"
@@ -100,7 +101,7 @@ std::vector<std::string> names_of_parts(const Family& family) {
 
 std::vector<std::string> names_of_symmetries() {
   std::vector<std::string> names;
-  for (const Precision precision : precisions)
+  for (const Precision precision : std::views::reverse(precisions))
     for (const Method& method : methods())
       names.push_back(fmt::format("{} in {}", method.name, name_of(precision)));
   return names;

@@ -6,9 +6,11 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -40,6 +42,7 @@ class StartedThreads {
     try {
       threads_.emplace_back([this] {
         std::unique_lock lock(mutex_);
+        memory_.emplace_back(4096, '\0');  // asked for by this thread, as by one that works
         end_.wait(lock, [this] { return may_end_; });
       });
       return true;
@@ -52,17 +55,20 @@ class StartedThreads {
   std::mutex mutex_;
   std::condition_variable end_;
   bool may_end_ = false;
+  std::vector<std::string> memory_;
   std::vector<std::thread> threads_;
 };
 
-// oneTBB ends the program where a thread of its own cannot start.
+// oneTBB ends the program where a thread of its own cannot start.  Where they are at the limit, those of
+// the library and what they take to work have to fit below it, too.
 int startable_threads(int wanted) {
   static std::atomic<int> known{1};
   if (wanted <= known) return wanted;
   StartedThreads others;
   int threads = 1;
   while (threads < wanted && others.start_one()) ++threads;
-  if (threads == wanted) known = wanted;
+  if (threads < wanted) return std::max(1, threads / 2);
+  known = wanted;
   return threads;
 }
 

@@ -10,6 +10,7 @@
 #include "lab/compare/comparison_json.h"
 #include "lab/compare/film_files.h"
 #include "records/exr.h"
+#include "records/key_limit.h"
 #include "records/run_json.h"
 
 namespace wander::compare {
@@ -194,7 +195,11 @@ std::optional<Comparison> find_comparison(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
   if (!file) throw RunFileError(fmt::format("{}: cannot be read", path.string()));
-  const auto document = ordered_json::parse(text, nullptr, false);
+  KeyLimit limit;
+  const auto document = ordered_json::parse(
+      text,
+      [&limit](int depth, auto event, const ordered_json&) { return limit.keeps(depth, event); },
+      false);
   if (!document.is_object() || !document.contains("schema") ||
       document["schema"] != comparison_schema)
     return std::nullopt;

@@ -156,12 +156,12 @@ TEST_F(CommandLine, AMadeUpMethodIsRefusedByEveryVerbThatTakesOne) {
 
 TEST_F(CommandLine, CompareRefusesAPrecisionThatCannotHoldTheSceneBeforeAnythingIsRun) {
   std::string faint = box;
-  faint.replace(faint.find("\"radiance\": 5"), 13, "\"radiance\": 1e-40");
+  faint.replace(faint.find("\"reflectance\": 0.5"), 18, "\"reflectance\": 1e-40");
   write("faint.json", faint);
   const Outcome outcome =
       wander("compare faint.json -m bdpt -b 1k --replicates 2 --dial precision=float -o out");
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_HAS(outcome.err, "radiance 1e-40: allowed is 1e-30 to 1e+30; use double");
+  EXPECT_HAS(outcome.err, "reflectance 1e-40: allowed is 1e-30 to 1; use double");
   EXPECT_FALSE(exists("out"));
 }
 
