@@ -18,8 +18,7 @@ namespace wander {
 
 namespace {
 
-constexpr std::uint64_t seeds_per_round = 256;  // of each slice
-constexpr double rehearsed_after = 0.25;        // of the time of the samples
+constexpr double rehearsed_after = 0.25;  // of the time of the samples
 // The error of the seed pass may be so much of the target, if that is the budget: then b takes
 // no more than a quarter of the variance.
 constexpr double share_of_error = 0.5;
@@ -79,7 +78,7 @@ class Drive {
   template <class Fraction>
   void seeds_to(std::uint64_t goal, Fraction&& fraction) {
     for (SeedPass now = run_.seeds(); now.of_each() < goal && !execution_.is_interrupted();) {
-      run_.seed(std::min(seeds_per_round, goal - now.of_each()));
+      run_.seed(std::min(run_.seed_stride(), goal - now.of_each()));
       now = run_.seeds();
       report(fraction(now.of_each()), now.samples, "seed pass");
       keep_if_due();
@@ -116,7 +115,7 @@ class Drive {
     const std::uint64_t most =
         asked_for > 0 ? std::numeric_limits<std::uint64_t>::max() : run_.settings().fewest_seeds;
     const double end = seeds_begin_ + share / (1 + share) * (seconds - seeds_begin_);
-    Pace pace(execution_.spent(), end, seeds_per_round * slices);
+    Pace pace(execution_.spent(), end, run_.seed_stride() * slices);
     std::uint64_t done = run_.seeds().samples;
     for (double now = execution_.spent(); done == 0 || (done < most && !pace.is_over(now));
          now = execution_.spent()) {

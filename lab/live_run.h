@@ -40,6 +40,9 @@ class LiveRun {
   virtual double seed_share() const { return 0; }
   virtual SeedPass seeds() const { return {}; }
   virtual void seed(std::uint64_t /*of each slice*/) {}
+  virtual std::uint64_t seed_stride() const {
+    return 1;
+  }  // of each slice, worth the trouble of one seed()
   // Ends the seed pass; throws NoLightFound.
   virtual void start(int /*chains of each group*/) {}
 

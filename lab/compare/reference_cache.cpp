@@ -12,10 +12,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/image_shape.h"
 #include "records/atomic_file.h"
 #include "records/rendering_archive.h"
-#include "records/run_json.h"
 #include "records/seal.h"
 #include "scenes/format/sha256.h"
 
@@ -27,7 +25,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* schema = "wanderlight-reference/2";
-constexpr std::string_view of_rows = ".json", of_images = ".runs";
+constexpr std::string_view ending = ".runs";
 
 std::string prefix_of(const Provenance& provenance, int max_vertices) {
   return fmt::format("{}-{}-", provenance.scene_sha256, max_vertices);
@@ -46,24 +44,15 @@ std::string all_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// The beginning of a file of either kind.  None if it is of another version of the program.
+// Of the first line of a file.  None if it is of another version of the program.
 std::optional<LongRuns> without_runs(const ordered_json& document, const Provenance& provenance) {
   if (document.at("schema") != schema) throw std::runtime_error("its schema is another");
   if (document.at("version") != provenance.version) return std::nullopt;
   return LongRuns{.made_by = document.at("made_by"), .runs = {}};
 }
 
-std::optional<LongRuns> read_rows(const fs::path& file, const Provenance& provenance) {
-  const ordered_json document = ordered_json::parse(all_of(file));
-  std::optional<LongRuns> runs = without_runs(document, provenance);
-  if (!runs) return runs;
-  for (const ordered_json& run : document.at("runs"))
-    runs->runs.push_back(run_from_json(run, file.string()).rendering);
-  return runs;
-}
-
 // A line of JSON, and the renderings.
-std::optional<LongRuns> read_images(const fs::path& file, const Provenance& provenance) {
+std::optional<LongRuns> read(const fs::path& file, const Provenance& provenance) {
   const std::string whole = all_of(file);
   const auto unbroken = unsealed(whole);
   if (!unbroken) throw std::runtime_error("it is damaged or cut short");
@@ -71,25 +60,10 @@ std::optional<LongRuns> read_images(const fs::path& file, const Provenance& prov
   if (end == unbroken->npos) throw std::runtime_error("it has no beginning");
   std::optional<LongRuns> runs =
       without_runs(ordered_json::parse(unbroken->substr(0, end)), provenance);
-  if (runs)
-    runs->runs = from_archive<std::vector<Rendering>>(std::string(unbroken->substr(end + 1)));
+  if (!runs) return runs;
+  runs->runs = from_archive<std::vector<Rendering>>(std::string(unbroken->substr(end + 1)));
+  require_whole(*runs);
   return runs;
-}
-
-std::optional<LongRuns> read(const fs::path& file, const Provenance& provenance) {
-  auto runs =
-      file.extension() == of_images ? read_images(file, provenance) : read_rows(file, provenance);
-  if (runs) require_whole(*runs);
-  return runs;
-}
-
-std::string cache_text(ordered_json document, const LongRuns& runs, const Provenance& provenance) {
-  if (is_image(runs.runs.front().film.shape))
-    return sealed(document.dump() + "\n" + archived(runs.runs));
-  document["runs"] = ordered_json::array();
-  for (const Rendering& run : runs.runs)
-    document["runs"].push_back(to_json(RunRecord{run, provenance}));
-  return document.dump(1) + "\n";
 }
 
 }  // namespace
@@ -112,8 +86,7 @@ ReferenceCache::ReferenceCache(Provenance provenance, int max_vertices)
 
 fs::path ReferenceCache::file_of(const LongRuns& runs) const {
   return folder() / fmt::format("{}{}{}", prefix_of(provenance_, max_vertices_),
-                                sha256(runs.made_by).substr(0, 8),
-                                is_image(runs.runs.front().film.shape) ? of_images : of_rows);
+                                sha256(runs.made_by).substr(0, 8), ending);
 }
 
 std::vector<LongRuns> ReferenceCache::load(const std::vector<int>& shape,
@@ -123,7 +96,7 @@ std::vector<LongRuns> ReferenceCache::load(const std::vector<int>& shape,
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(folder(), none))
     if (entry.path().filename().string().starts_with(prefix_of(provenance_, max_vertices_)) &&
-        (entry.path().extension() == of_rows || entry.path().extension() == of_images))
+        entry.path().extension() == ending && entry.is_regular_file(none))
       files.push_back(entry.path());
   std::ranges::sort(files);
   for (const fs::path& file : files) {
@@ -150,7 +123,7 @@ void ReferenceCache::store(const LongRuns& runs, std::vector<std::string>& warni
   try {
     if (folder().empty()) throw std::runtime_error("neither XDG_CACHE_HOME nor HOME is set");
     fs::create_directories(folder());
-    write_file(file_of(runs), cache_text(document, runs, provenance_));
+    write_file(file_of(runs), sealed(document.dump() + "\n" + archived(runs.runs)));
   } catch (const std::exception& problem) {
     warnings.push_back(
         fmt::format("the reference was not kept for the next time: {}", problem.what()));

@@ -1,9 +1,9 @@
 // Long runs that were made as references, kept for the next comparison of the same scene: files in
 // $XDG_CACHE_HOME/wanderlight, or else ~/.cache/wanderlight, which may be removed at any time.
 //
-// Of images they are binary, for nobody reads so many numbers; else JSON.  One file holds the
-// independent runs of one method at one setting, by one version of the program,
-// on one scene with paths of one greatest length.
+// One file holds the independent runs of one method at one setting, by one version of the program, on one
+// scene with paths of one greatest length: a line of JSON, the runs as they are archived, and a seal
+// (records/seal.h), so that what was cut short or changed is no reference.
 #pragma once
 
 #include <filesystem>

@@ -132,8 +132,7 @@ class InvarianceTest {
     std::vector<InvarianceTally> tallies(blocks);
     run_parallel(run, blocks, [&](int b) {
       const auto block = static_cast<std::uint64_t>(b);
-      if (run.is_interrupted()) return;
-      add_starts(options_.samples * block / blocks, options_.samples * (block + 1) / blocks,
+      add_starts(run, options_.samples * block / blocks, options_.samples * (block + 1) / blocks,
                  tallies[block]);
     });
     for (int b = 1; b < blocks; ++b) tallies[0].merge(tallies[static_cast<std::size_t>(b)]);
@@ -143,11 +142,12 @@ class InvarianceTest {
  private:
   static constexpr int blocks = 64;
 
-  void add_starts(std::uint64_t first, std::uint64_t end, InvarianceTally& tally) const {
+  void add_starts(const Run& run, std::uint64_t first, std::uint64_t end,
+                  InvarianceTally& tally) const {
     Starts<Space> starts = starts_;
     Rng random(options_.seed, Purpose::test, 2);
     Path<W> measured(space_.max_vertices());
-    for (std::uint64_t i = first; i < end; ++i) {
+    for (std::uint64_t i = first; i < end && !run.is_interrupted(); ++i) {
       const double weight = starts.draw(i);
       if (!(weight > 0)) continue;
       random.start(i);

@@ -144,7 +144,7 @@ TYPED_TEST(Hierarchy, OfNothingIsHitByNothing) {
 }
 
 TYPED_TEST(Hierarchy, IsBlindToPowersOfTwo) {
-  for (const int power : {-100, -7, 100}) {
+  for (const int power : {-190, -100, -7, 100, 190}) {
     const double unit = std::ldexp(1.0, power);
     Generator g(3), scaled_g(3);
     const auto shapes = TestFixture::random_shapes(g, 400);

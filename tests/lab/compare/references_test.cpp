@@ -112,9 +112,11 @@ TEST_F(CompareCommand, IgnoresABrokenCacheWithAWarning) {
   const std::string command = "mirror.json -m pt -b 2k --replicates 2 -o out --force";
   ASSERT_EQ(compare(command).exit_code, 0);
   const std::string whole = contents(cached_file());
+  std::string altered = whole;
+  altered[altered.size() / 2] ^= 1;
   for (const std::string& broken :
        {std::string("{"), std::string(), whole.substr(0, whole.size() / 2), std::string("[1]"),
-        std::string(R"({"schema": "wanderlight-reference/2"})")}) {
+        altered, std::string(R"({"schema": "wanderlight-reference/2"})")}) {
     std::ofstream(cached_file()) << broken;
     const Outcome outcome = compare(command);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
