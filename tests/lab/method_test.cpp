@@ -104,7 +104,7 @@ TEST(Jobs, AreRefusedWhereTheyCannotBeComputed) {
   description::Scene seen = thin_lens_room();
   EXPECT_THROW(Job(seen, find_method("lt-naive")), UsageError);
   EXPECT_NO_THROW(Job(seen, find_method("lt")));
-  seen.shapes.front().light = description::Light{{{1e-40, 1e-40, 1e-40}}};
+  seen.materials.front().kind = description::Diffuse{{{1e-40, 1e-40, 1e-40}}};
   EXPECT_EQ(why_unfit(seen, find_method("lt-naive"), {.precision = Precision::of_float}).size(),
             2u);
   EXPECT_EQ(

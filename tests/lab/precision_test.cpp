@@ -211,8 +211,6 @@ TEST(FloatRange, IsToldOfScenesThatLeaveIt) {
   EXPECT_EQ(why(room(0x1p-40, 1e-30, 0)), "");
   EXPECT_EQ(why(room(1e16, 1, 0.5)), "/shapes/0: length 1e+16: allowed is 1e-15 to 1e+15");
   EXPECT_EQ(why(room(1e-16, 1, 0.5)), "/shapes/0: length 1e-16: allowed is 1e-15 to 1e+15");
-  EXPECT_EQ(why(room(1, 1e31, 0.5)), "/shapes/1: radiance 1e+31: allowed is 1e-30 to 1e+30");
-  EXPECT_EQ(why(room(1, 1e-50, 0.5)), "/shapes/1: radiance 1e-50: allowed is 1e-30 to 1e+30");
   EXPECT_EQ(why(room(1, 1, 1e-40)), "material 0: reflectance 1e-40: allowed is 1e-30 to 1");
 }
 
