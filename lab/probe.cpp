@@ -19,6 +19,7 @@ namespace {
 constexpr int walks = 4000, legs = 12, most_crossings = 64;
 constexpr std::uint64_t light_samples = 4096,
                         most_samples = 1 << 18;  // the latter until some is found
+constexpr std::uint64_t most_rays = 8'000'000;   // of all samples
 constexpr double turns = 0.25;                   // of the lines end in the open
 constexpr std::size_t most_contradictions = 10;
 
@@ -170,11 +171,12 @@ bool has_glass(const description::Scene& scene) {
 
 template <World W>
 void look_for_light(const Scene<W>& scene, Probe& found) {
-  PathSampler<Transport<W>> sampler(Transport<W>(scene, Roulette::off), all_techniques,
+  PathSampler<Transport<W>> sampler(Transport<W>(scene, Roulette::by_albedo), all_techniques,
                                     Heuristic::power);
   Rng rng(1, Purpose::test, 1);
   const auto is_enough = [&] {
-    return found.samples >= (found.samples_with_light > 0 ? light_samples : most_samples);
+    return sampler.rays() >= most_rays ||
+           found.samples >= (found.samples_with_light > 0 ? light_samples : most_samples);
   };
   for (; !is_enough(); ++found.samples) {
     rng.start(found.samples);

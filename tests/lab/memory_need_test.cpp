@@ -91,5 +91,16 @@ TEST_F(MemoryOfRuns, IsSaidWhereItIsMuch) {
   EXPECT_HAS(wander("render box.json -m mlt -b 10k -o b -v").err, "the run needs about 0.");
 }
 
+TEST_F(MemoryOfRuns, LetsNoMoreThreadsStartThanThereIsRoomFor) {
+  const Outcome few =
+      shell("ulimit -v 900000; \"$WANDER\" render box.json -m bdpt -b 20k -t 500 -q --json -o few");
+  ASSERT_EQ(few.exit_code, 0) << few.err;
+  const nlohmann::json run = nlohmann::json::parse(few.out);
+  EXPECT_LT(run["threads"], 500);
+  EXPECT_HAS(run["warnings"].dump(), "of the 500 threads could be started");
+  const Outcome one = wander("render box.json -m bdpt -b 20k -t 1 -q --json -o one");
+  EXPECT_EQ(nlohmann::json::parse(one.out)["film"]["value"], run["film"]["value"]);
+}
+
 }  // namespace
 }  // namespace wander::test

@@ -48,17 +48,6 @@ TEST_F(Extremes, AFilmHasErrorsAtBothEndsOfTheRangeOfRadiances) {
   }
 }
 
-TEST_F(Extremes, ThreadsThatCannotStartAreLeftOut) {
-  const Outcome few =
-      shell("ulimit -v 900000; \"$WANDER\" render box.json -m bdpt -b 20k -t 500 -q --json -o few");
-  ASSERT_EQ(few.exit_code, 0) << few.err;
-  const json run = json::parse(few.out);
-  EXPECT_LT(run["threads"], 500);
-  EXPECT_HAS(run["warnings"].dump(), "of the 500 threads could be started");
-  const Outcome one = wander("render box.json -m bdpt -b 20k -t 1 -q --json -o one");
-  EXPECT_EQ(json::parse(one.out)["film"]["value"], run["film"]["value"]);
-}
-
 TEST_F(Extremes, APipeIsNotWaitedFor) {
   ASSERT_EQ(mkfifo((folder / "pipe.json").c_str(), 0600), 0);
   for (const char* verb : {"inspect pipe.json", "plot pipe.json -o a.svg", "check pipe.json",
