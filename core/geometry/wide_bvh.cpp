@@ -22,11 +22,17 @@ float outside(double x, float side) {
 float rounded_down(double x) { return outside(x, -1); }
 float rounded_up(double x) { return outside(x, 1); }
 
-// The power of two that brings a normal number between 1 and 2.
-double to_unit(double x) {
-  constexpr std::uint64_t exponent = 0x7FF0'0000'0000'0000, of_two = 0x7FE0'0000'0000'0000;
-  return std::bit_cast<double>(of_two - (std::bit_cast<std::uint64_t>(x) & exponent));
-}
+// The largest power of two that a normal number is not below, and its inverse.
+struct PowerOfTwo {
+  double value, inverse;
+
+  explicit PowerOfTwo(double x) {
+    constexpr std::uint64_t exponent = 0x7FF0'0000'0000'0000, of_two = 0x7FE0'0000'0000'0000;
+    const std::uint64_t bits = std::bit_cast<std::uint64_t>(x) & exponent;
+    value = std::bit_cast<double>(bits);
+    inverse = std::bit_cast<double>(of_two - bits);
+  }
+};
 
 }  // namespace
 
@@ -143,11 +149,11 @@ struct WideBvh<W>::Slabs {
   Slabs(const Ray<W>& ray, const Point& center, Length scale) {
     Length size = 0;
     for (int axis = 0; axis < W::dimension; ++axis) size += std::abs(ray.direction[axis]);
-    const Length shortening = to_unit(size);
-    unit = scale / shortening;
+    const PowerOfTwo length(size);
+    unit = scale * length.value;
     for (int axis = 0; axis < W::dimension; ++axis) {
       const Length origin = (ray.origin[axis] - center[axis]) * scale;
-      const auto inverse = static_cast<float>(1 / (ray.direction[axis] * shortening));
+      const auto inverse = static_cast<float>(1 / (ray.direction[axis] * length.inverse));
       const float under = rounded_down(origin), over = rounded_up(origin);
       const bool rises = !std::signbit(inverse);
       axes[static_cast<std::size_t>(axis)] = {rises ? low : high, rises ? high : low,
