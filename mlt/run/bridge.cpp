@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "mlt/run/solver_log.h"
 #include "work/parallel.h"
 
 namespace wander {
@@ -52,6 +53,7 @@ class Score : public ceres::SizedCostFunction<1, 1> {
 std::optional<double> solve(std::span<const Cell> cells, double balance, double start) {
   constexpr double closest = 1e-10;  // of the two parts, relatively
   double beta = start;
+  silence_solver();
   ceres::Problem problem;
   problem.AddResidualBlock(new Score(cells, balance), nullptr, &beta);
   ceres::Solver::Options options;

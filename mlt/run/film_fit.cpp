@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "mlt/run/solver_log.h"
 #include "work/parallel.h"
 
 namespace wander {
@@ -46,6 +47,7 @@ struct Solution {
 };
 
 std::optional<Solution> solve(const Film& found, const Film& shape, const Film& sigma, double b0) {
+  silence_solver();
   ceres::Problem problem;
   double beta = 0;
   problem.AddResidualBlock(new Residuals(found, shape, sigma, b0), nullptr, &beta);

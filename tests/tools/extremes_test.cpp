@@ -91,6 +91,17 @@ TEST_F(Extremes, LongPathsAreSampledByEveryMethod) {
   }
 }
 
+// Of light that hardly any sample finds, b is hard to fit; what is said of it is in the warnings.
+TEST_F(Extremes, LibrariesSayNothingOfTheirOwn) {
+  const Outcome run = shell(
+      "\"$WANDER\" gallery glass-caustic-camera | sed 's/\"reflectance\": 0.7 /\"reflectance\": "
+      "7e-31 /; s/\"resolution\": [0-9]*/\"resolution\": 8/' > "
+      "faint.json; \"$WANDER\" render faint.json -m pssmlt -b 500 -t 1 -q -o run");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_HAS(contents(folder / "faint.json"), "7e-31");
+}
+
 TEST_F(Extremes, ACameraLooksAcrossAnyDistance) {
   for (const char* distance : {"1e-20", "1e30"}) {
     write("far.json", fmt::format(R"({{ "format": "wanderlight-scene/1", "dimension": 3, "shapes": [
