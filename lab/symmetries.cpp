@@ -7,7 +7,6 @@
 #include <cmath>
 #include <limits>
 #include <ranges>
-#include <stdexcept>
 
 #include "lab/engine.h"
 #include "lab/failure.h"
@@ -197,17 +196,25 @@ class OfOneMethod {
     }
     for (const Variation& variation : variations) {
       SymmetryCheck check{std::string(method_.name), variation.name, dials_.precision};
-      try {
-        hold_against(film, film_of(variation.scene), variation.film_factor, check);
-      } catch (const std::runtime_error& refusal) {
+      check.reason = why_refused(variation.scene, method_, dials_);
+      if (check.reason.empty())
+        compare(film, variation, check);
+      else
         check.verdict = SymmetryVerdict::refused;
-        check.reason = refusal.what();
-      }
       checks.push_back(std::move(check));
     }
   }
 
  private:
+  // Light that is no longer found is all the difference that there can be.
+  void compare(const FilmEstimate& film, const Variation& variation, SymmetryCheck& check) const {
+    try {
+      hold_against(film, film_of(variation.scene), variation.film_factor, check);
+    } catch (const NoLightFound&) {
+      check.verdict = SymmetryVerdict::differs;
+      check.difference = 1;
+    }
+  }
   FilmEstimate film_of(const description::Scene& scene) const {
     return render(Job(scene, method_, dials_), session_).film;
   }

@@ -78,6 +78,18 @@ TEST(SymmetriesTwin, WhatIsNoSymmetryIsSeen) {
   }
 }
 
+TEST(SymmetriesTwin, AFilmWithoutLightIsNoRefusal) {
+  const description::Scene scene = scene_named("parallel");
+  description::Scene dark = scene;
+  for (description::Shape& shape : dark.shapes)
+    if (auto* segment = std::get_if<description::Segment>(&shape.kind); shape.light)
+      std::swap(segment->from, segment->to);
+  for (const SymmetryCheck& check : checks_of(scene, {{"the lamp turned round", 1, dark}})) {
+    EXPECT_EQ(check.verdict, SymmetryVerdict::differs) << check.method;
+    EXPECT_EQ(check.difference, 1) << check.method;
+  }
+}
+
 TEST(Variations, LeaveOutWhatASceneFileMayNotSay) {
   const auto names = [](const description::Scene& scene) {
     std::vector<std::string> all;
