@@ -6,8 +6,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "lab/failure.h"
-#include "lab/memory_need.h"
+#include "lab/held_run.h"
 #include "lab/replay.h"
 #include "lab/trace.h"
 #include "lab/worlds.h"
@@ -21,7 +20,7 @@ constexpr Engine engine_in() {
   constexpr bool is_single = std::same_as<typename W::Real, float>;
   return {
       .world = {W::dimension, is_single ? Precision::of_float : Precision::of_double, W::channels},
-      .carry_on = &carry_on_in<W>,
+      .hold = &hold_in<W>,
       .merge = &merge_in<W>,
       .trace = &trace_in<W>,
       .replay = &replay_in<W>,
@@ -41,21 +40,13 @@ static_assert(std::ranges::all_of(precisions, [](Precision precision) {
   return has({2, precision});
 }));
 
-const Engine& engine_of(const Job& job) {
-  return *std::ranges::find(engine_table, job.world(), &Engine::world);  // Job has seen to it
-}
-
-// The process would be killed, or the machine come to a standstill.
-void require_memory(const KeptRun& from, const Job& job, const Session& session) {
-  MemoryNeed need = memory_need(job, Run(session).threads());
-  need.program += static_cast<double>(from.state.size());
-  if (const std::string why = why_too_large(job, need, available_memory()); !why.empty())
-    throw CommandFailure(ExitCode::failure, why);
-}
-
 }  // namespace
 
 std::span<const Engine> engines() { return engine_table; }
+
+const Engine& engine_of(const Job& job) {
+  return *std::ranges::find(engine_table, job.world(), &Engine::world);  // Job has seen to it
+}
 
 std::string why_no_engine(const WorldKind& world) {
   if (has(world)) return {};
@@ -67,14 +58,7 @@ Rendering render(const Job& job, const Session& session) { return carry_on({}, j
 
 Rendering carry_on(const KeptRun& from, const Job& job, const Session& session,
                    const Keeper& keeper) {
-  require_memory(from, job, session);
-  Session begun = session;
-  begun.begun = session.clock->now();
-  begun.begun->wall -= from.headway.wall_seconds;
-  begun.begun->processor -= from.headway.processor_seconds;
-  Rendering rendering = engine_of(job).carry_on(from, job, begun, keeper);
-  rendering.precision = name_of(job.dials().precision);
-  return rendering;
+  return HeldRun(job, session, from).go_on(session, keeper);
 }
 
 Rendering merge(const Job& job, std::span<const StoredRun> runs, const Session& session) {

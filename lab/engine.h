@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -14,6 +15,7 @@
 
 namespace wander {
 
+class WorldRun;       // lab/held_run.h
 struct Replay;        // lab/replay.h
 struct Trace;         // lab/trace.h
 struct TraceRequest;  // lab/trace.h
@@ -30,7 +32,7 @@ struct StoredRun {
 // All that one world can do.
 struct Engine {
   WorldKind world;
-  Rendering (*carry_on)(const KeptRun&, const Job&, const Session&, const Keeper&);
+  std::unique_ptr<WorldRun> (*hold)(const KeptRun&, const Job&, const Session&);
   Rendering (*merge)(const Job&, std::span<const StoredRun>, const Session&);
   Trace (*trace)(const Job&, const Session&, const TraceRequest&);
   Replay (*replay)(const Job&, const Session&, int chain, std::uint64_t step);
@@ -38,6 +40,7 @@ struct Engine {
 };
 
 std::span<const Engine> engines();
+const Engine& engine_of(const Job& job);
 // Empty if there is an engine for such a world.
 std::string why_no_engine(const WorldKind& world);
 

@@ -10,16 +10,11 @@
 #include <vector>
 
 #include "lab/shown_chains.h"
+#include "lab/trace_request.h"
 #include "mlt/run/path_group.h"
 #include "mlt/watch/attempt.h"
-#include "records/trajectory_of_logs.h"
 
 namespace wander {
-
-struct TraceRequest {
-  int chains = 4;
-  TraceWindow window;
-};
 
 struct Trace {
   bool complete = true;  // all draws that were asked for

@@ -7,12 +7,16 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
+#include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include "lab/chain_methods.h"
 #include "lab/chain_run.h"
 #include "lab/drive.h"
 #include "lab/failure.h"
+#include "lab/held_run.h"
 #include "lab/render.h"
 #include "lab/worlds.h"
 #include "mlt/run/mmlt_group.h"
@@ -126,18 +130,67 @@ inline void load(LiveRun& run, const std::string& state, std::string_view remedy
   }
 }
 
+// The same bits whether it is interrupted or not: from the seed pass it goes on as it was kept, not
+// from the chains that show what an interrupted one had found.
 template <World W>
-Rendering carry_on_in(const KeptRun& from, const Job& job, const Session& session,
-                      const Keeper& keeper) {
-  Run execution(session);
-  const WorldMethods<W> methods(job, execution);
-  const std::unique_ptr<LiveRun> run = methods.make();
-  load(*run, from.state,
-       "carry the run on with the build that began it, or compute it anew, with --force instead of "
-       "--continue");
-  Rendering rendering = drive(*run, execution, from.headway, keeper);
-  methods.doubt(rendering);
-  return rendering;
+class RunInWorld final : public WorldRun {
+ public:
+  RunInWorld(const KeptRun& from, const Job& job, const Session& session)
+      : session_(session),
+        execution_(std::in_place, session_),
+        methods_(job, *execution_),
+        headway_(from.headway) {
+    begin(from.state);
+  }
+
+  Rendering go_on(const Session& session, const Keeper& keeper) override {
+    session_ = session;
+    execution_.emplace(session_);  // where the run knows it
+    if (!unstarted_.empty()) begin(std::exchange(unstarted_, {}));
+    Keeper both = keeper;
+    both.keep = [&](const Headway& headway, const StateWriter& state) {
+      headway_ = headway;
+      if (run_->takes_seeds() && execution_->is_interrupted()) unstarted_ = bytes_of(state);
+      if (keeper.keep) keeper.keep(headway, state);
+    };
+    try {
+      Rendering rendering = drive(*run_, *execution_, headway_, both);
+      methods_.doubt(rendering);
+      return rendering;
+    } catch (...) {
+      if (run_->samples() == 0) begin({});
+      throw;
+    }
+  }
+  const Headway& headway() const override { return headway_; }
+  KeptRun kept() const override {
+    return {headway_, unstarted_.empty() ? state_of(*run_) : unstarted_};
+  }
+
+ private:
+  void begin(const std::string& state) {
+    run_ = methods_.make();
+    load(*run_, state,
+         "carry the run on with the build that began it, or compute it anew, with --force instead "
+         "of --continue");
+  }
+  static std::string bytes_of(const StateWriter& state) {
+    std::ostringstream bytes;
+    state(bytes);
+    return std::move(bytes).str();
+  }
+
+  Session session_;
+  std::optional<Run> execution_;
+  WorldMethods<W> methods_;
+  std::unique_ptr<LiveRun> run_;
+  Headway headway_;
+  std::string unstarted_;  // the state of an interrupted seed pass
+};
+
+template <World W>
+std::unique_ptr<WorldRun> hold_in(const KeptRun& from, const Job& job, const Session& session) {
+  return std::make_unique<RunInWorld<W>>(from, job, session);
 }
 
 // One after the other: of each run what it found is kept, not its state.

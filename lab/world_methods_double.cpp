@@ -5,7 +5,7 @@ namespace wander {
 template std::unique_ptr<LiveRun> MltMethod::make(const Stage<Flatland>&);
 template std::unique_ptr<LiveRun> PssmltMethod::make(const Stage<Flatland>&);
 template std::unique_ptr<LiveRun> MmltMethod::make(const Stage<Flatland>&);
-template Rendering carry_on_in<Flatland>(const KeptRun&, const Job&, const Session&, const Keeper&);
+template std::unique_ptr<WorldRun> hold_in<Flatland>(const KeptRun&, const Job&, const Session&);
 template Rendering merge_in<Flatland>(const Job&, std::span<const StoredRun>, const Session&);
 
 }  // namespace wander

@@ -9,8 +9,7 @@ namespace wander {
 
 // Defined in world_methods.h.
 template <World W>
-Rendering carry_on_in(const KeptRun& from, const Job& job, const Session& session,
-                      const Keeper& keeper);
+std::unique_ptr<WorldRun> hold_in(const KeptRun& from, const Job& job, const Session& session);
 template <World W>
 Rendering merge_in(const Job& job, std::span<const StoredRun> runs, const Session& session);
 

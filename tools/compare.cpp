@@ -10,14 +10,12 @@
 #include "draw/report/comparison_files.h"
 #include "lab/compare/comparison_json.h"
 #include "lab/compare/forecast.h"
-#include "lab/compare/long_reference.h"
-#include "lab/compare/reference.h"
 #include "lab/failure.h"
-#include "lab/load_warning.h"
 #include "lab/parsing.h"
 #include "lab/reference_name.h"
 #include "lab/scene_source.h"
 #include "tools/command.h"
+#include "tools/compare_runs.h"
 #include "tools/compare_task.h"
 #include "tools/console.h"
 #include "tools/interruption.h"
@@ -31,104 +29,11 @@ namespace compare {
 
 namespace {
 
-// What is known before anything is sampled.
-std::optional<Reference> known_reference(const SceneDocument& document, const std::string& wanted,
-                                         const Provenance& provenance,
-                                         std::vector<std::string>& warnings) {
-  if (wanted != "auto")
-    return reference_from_file(wanted, film_shape(document.scene), provenance, warnings);
-  std::string why;
-  auto exact = exact_reference(document.scene, why);
-  if (!exact) spdlog::debug("no exact film: {}", why);
-  return exact;
-}
-
-// The warnings of the methods, each said once, and what is doubtful.
-void collect_warnings(Runs& runs) {
-  for (std::size_t c = 0; c < runs.contenders.size(); ++c)
-    for (const std::string& warning : runs.details[c].warnings)
-      runs.warnings.push_back(fmt::format("{}: {}", runs.contenders[c].label, warning));
-  const auto& doubts = runs.reference.doubts;
-  runs.warnings.insert(runs.warnings.end(), doubts.begin(), doubts.end());
-  if (!runs.failures.empty())
-    runs.warnings.push_back(fmt::format(
-        "{} of {} runs failed, the first of {}: {}", runs.failures.size(),
-        runs.failures.size() + runs.runs.size(),
-        runs.contenders[runs.failures.front().contender].label, runs.failures.front().message));
-}
-
-// Once for all runs together.
-void warn_of_load(const Plan& plan, Runs& runs) {
-  if (!is_of_wall_time(plan.budgets.back().budget)) return;
-  double seconds = 0, processor_seconds = 0;
-  int threads = 1;
-  for (const compare::Run& run : runs.runs) {
-    seconds += run.seconds;
-    processor_seconds += run.processor_seconds;
-  }
-  for (const Rendering& rendering : runs.details) threads = std::max(threads, rendering.threads);
-  if (std::string load = load_warning(seconds, processor_seconds, threads); !load.empty())
-    runs.warnings.push_back(std::move(load));
-}
-
-// Whatever was interrupted is shown, be it ever so little.
-void require_some(const Runs& runs) {
-  if (runs.runs.empty() && runs.complete)
-    throw CommandFailure(ExitCode::failure, runs.failures.front().message);
-}
-
-// Of what is still to come.
-double effort_of_all(const CompareTask& task, const std::vector<Turn>& turns) {
-  const Plan& plan = task.plan;
-  const bool needs_reference = !task.kept.reference();
-  return effort_of(plan, turns) + (turns.empty() ? 0 : effort_of_paces(plan)) +
-         (needs_reference ? trial_effort(plan) + reference_effort(plan) : 0);
-}
-
 void announce(const Forecast& forecast, Progress& progress, const Global& global) {
   if (global.progress == ProgressMode::json)
     print_note(json_line_of(forecast) + "\n");
   else if (!global.quiet)
     progress.say(in_words(forecast));
-}
-
-// Kept if it was not interrupted; else its long runs are there for the next time (ReferenceCache).
-void sample_reference(CompareTask& task, LongPlan long_plan, const ReferenceCache& cache,
-                      Course& course, Runs& runs) {
-  runs.reference = make_reference(task.plan, std::move(long_plan), cache, course,
-                                  film_shape(task.document.scene), runs);
-  if (runs.complete) task.kept.keep({runs.reference, runs.warnings});
-}
-
-// The reference first: what an interruption leaves of the runs can then be measured.
-void make_runs(CompareTask& task, const Global& global, Runs& runs) {
-  Progress progress(global);
-  const Session common{.threads = global.threads,
-                       .interrupted = &watch_for_interruption(),
-                       .report = progress.reporter()};
-  const Plan& plan = task.plan;
-  const std::vector<Turn> turns = turns_to_come(plan, task.kept);
-  Course course(task.document.scene, common, effort_of_all(task, turns));
-  const Paces paces = turns.empty() ? Paces(plan.entrants.size()) : paces_of(plan, course);
-  Forecast ahead = forecast(plan, paces, turns);
-  LongPlan long_plan;
-  const ReferenceCache cache(runs.provenance, task.document.scene.max_vertices);
-  const std::optional<KeptReference> reference = task.kept.reference();
-  if (!reference) {
-    const std::vector<Worth> worths = hold_trial(plan, course);
-    long_plan = plan_reference(
-        plan, worths, cache.load(film_shape(task.document.scene), runs.warnings), ahead.longest);
-    ahead.of_reference = long_plan.seconds;
-  }
-  course.expect(effort_of(long_plan) + effort_of(plan, turns));
-  if (!course.is_interrupted() && !turns.empty()) announce(ahead, progress, global);
-  if (reference) {
-    runs.reference = reference->reference;
-    runs.warnings = reference->warnings;
-  } else {
-    sample_reference(task, std::move(long_plan), cache, course, runs);
-  }
-  make_runs(plan, course, task.kept, runs);
 }
 
 void tell_where_it_goes_on(const CompareTask& task) {
@@ -137,48 +42,16 @@ void tell_where_it_goes_on(const CompareTask& task) {
                          plan.entrants.size() * plan.budgets.size() * plan.replicates));
 }
 
-// What is kept stands in the directory from the first moment, so that the comparison can be carried
-// on whenever it ends.
-void begin_keeping(CompareTask& task, const CompareOptions& options,
-                   const std::optional<OutputDirectory>& directory) {
-  if (options.is_continuation)
-    task.kept.extend(task.request.replicates, task.request.target);
-  else if (directory)
-    task.kept = KeptComparison(task.request, directory->path());
-}
-
-void keep_known_reference(CompareTask& task, const Runs& runs) {
-  if (task.kept.reference()) return;
-  std::vector<std::string> warnings;
-  auto known = known_reference(task.document, task.request.reference, runs.provenance, warnings);
-  if (known) task.kept.keep({*std::move(known), std::move(warnings)});
-}
-
-Runs runs_of(CompareTask& task, const CompareOptions& options, const Global& global,
-             const std::optional<OutputDirectory>& directory) {
-  Runs runs = prepared(task.plan, provenance_of(task.document, global.command_line));
-  runs.target = task.request.target;
-  begin_keeping(task, options, directory);
-  // One that can come to nothing is not kept; one that a full disk ended can go on.
-  const auto give_up = [&] {
-    if (!options.is_continuation) task.kept.discard();
-  };
-  try {
-    keep_known_reference(task, runs);
-    make_runs(task, global, runs);
-    require_some(runs);
-  } catch (const CommandFailure&) {
-    give_up();
-    throw;
-  } catch (const RunFileError&) {
-    give_up();
-    throw;
-  }
-  const std::vector<std::string> doubts = scene_warnings(task.document, task.request.scene_source);
-  runs.warnings.insert(runs.warnings.begin(), doubts.begin(), doubts.end());
-  collect_warnings(runs);
-  warn_of_load(task.plan, runs);
-  return runs;
+Runs compared(const CompareOptions& options, CompareTask& task, const Global& global,
+              const std::optional<OutputDirectory>& directory) {
+  Progress progress(global);
+  const CompareHost host{
+      .session = {.threads = global.threads,
+                  .interrupted = &watch_for_interruption(),
+                  .report = progress.reporter()},
+      .announce = [&](const Forecast& ahead) { announce(ahead, progress, global); },
+      .command_line = global.command_line};
+  return runs_of(task, options, host, directory ? std::optional(directory->path()) : std::nullopt);
 }
 
 ExitCode compare_methods(const CompareOptions& options, CompareTask& task, const Global& global) {
@@ -188,7 +61,7 @@ ExitCode compare_methods(const CompareOptions& options, CompareTask& task, const
   if (!global.out.empty()) directory.emplace(global.out, place);
   if (options.is_continuation && !global.quiet) tell_where_it_goes_on(task);
 
-  const Comparison comparison = summarize(runs_of(task, options, global, directory));
+  const Comparison comparison = summarize(compared(options, task, global, directory));
 
   if (directory) write_comparison(comparison, task.document.scene, directory->path());
   if (!global.quiet) {

@@ -87,7 +87,8 @@ std::optional<CompareTask> examine_new(const CompareOptions& options, const Glob
   }
   std::optional<SceneDocument> document;
   // Faults of the scene are told even where nothing is known of the contenders.
-  examination.part([&] { document = open_scene(options.scene); });
+  examination.part(
+      [&] { document = options.document ? options.document : open_scene(options.scene); });
   if (!plan || !document) return {};
   request.scene_text = document->text;
   request.scene_sha256 = document->sha256;

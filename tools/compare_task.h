@@ -16,6 +16,7 @@ namespace wander {
 // As the command line says it; what it does not say is as usual, or that of the comparison.
 struct CompareOptions {
   std::string scene;
+  std::optional<SceneDocument> document;  // if it was read already
   std::optional<std::string> methods, budgets, reference;
   std::optional<std::size_t> replicates;
   std::optional<double> target;

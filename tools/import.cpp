@@ -1,18 +1,16 @@
 // `wander import`: a scene of Mitsuba as a scene file, with its meshes and pictures beside it.
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "lab/failure.h"
-#include "records/atomic_file.h"
 #include "scenes/import/import_mitsuba.h"
 #include "tools/command.h"
 #include "tools/console.h"
+#include "tools/import_files.h"
 #include "tools/output_place.h"
 #include "tools/verb.h"
 
@@ -28,10 +26,6 @@ struct ImportOptions {
   bool approximate = false;
   std::vector<std::string> definitions;  // NAME=VALUE
 };
-
-constexpr const char* folder_suffix = "-meshes";
-
-fs::path mesh_folder_of(const fs::path& out) { return out.stem().string() + folder_suffix; }
 
 XmlParameters parameters_of(const ImportOptions& options) {
   XmlParameters parameters;
@@ -63,48 +57,6 @@ void examine(const ImportOptions& options, const Global& global, Examination& ex
   examination.part([&] { parameters_of(options); });
 }
 
-// A folder beside the output, gone again with this object.
-class Workshop {
- public:
-  explicit Workshop(const fs::path& out) {
-    std::string name = (out.parent_path() / ("." + out.stem().string() + ".XXXXXX")).string();
-    if (mkdtemp(name.data()) == nullptr) throw OutputError(out.string(), errno);
-    path_ = name;
-  }
-  ~Workshop() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-void move_meshes(const fs::path& from, const fs::path& to) {
-  std::error_code error;
-  fs::create_directory(to, error);
-  for (const fs::directory_entry& mesh : fs::directory_iterator(from)) {
-    if (!error) fs::rename(mesh.path(), to / mesh.path().filename(), error);
-    if (error) throw OutputError((to / mesh.path().filename()).string(), error.value());
-  }
-}
-
-// Everything is on the disk, and valid, before anything gets its name; the scene is last.
-void write_scene(const ImportedScene& scene, const fs::path& out) {
-  const Workshop workshop(out);
-  const fs::path folder = mesh_folder_of(out);
-  if (!scene.files.empty()) fs::create_directory(workshop.path() / folder);
-  for (const ImportedFile& file : scene.files) write_file(workshop.path() / file.path, file.bytes);
-  check_imported(scene, workshop.path());
-  StagedFile file(out, scene.text);
-  if (!scene.files.empty()) move_meshes(workshop.path() / folder, out.parent_path() / folder);
-  file.commit();
-}
-
 ordered_json summary_of(const ImportedScene& scene, const Global& global) {
   ordered_json files = ordered_json::array(), approximations = ordered_json::array();
   for (const ImportedFile& file : scene.files) files.push_back(file.path);
@@ -120,14 +72,9 @@ ordered_json summary_of(const ImportedScene& scene, const Global& global) {
 }
 
 ExitCode import_scene(const ImportOptions& options, const Global& global) {
-  ImportRequest request;
-  request.file = options.file;
-  request.name = global.out.stem().string();
-  request.mesh_folder = mesh_folder_of(global.out).string();
-  request.parameters = parameters_of(options);
-  request.fidelity = options.approximate ? Fidelity::approximate : Fidelity::exact;
-  const ImportedScene scene = import_mitsuba(request);
-  write_scene(scene, global.out);
+  const ImportedScene scene =
+      import_to(global.out, options.file, parameters_of(options),
+                options.approximate ? Fidelity::approximate : Fidelity::exact);
   for (const ImportFault& one : scene.approximations) spdlog::warn("{}", line_of(one));
   if (!global.quiet)
     print_note(fmt::format(

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "lab/engine.h"
-#include "lab/load_warning.h"
 #include "lab/memory_need.h"
 #include "lab/parsing.h"
+#include "lab/run_warnings.h"
 #include "lab/scene_source.h"
 #include "records/run_files.h"
 #include "records/run_json.h"
@@ -35,16 +35,7 @@ Rendering rendering_of(const RenderTask& task, const Keeper& keeper, const Globa
                         .interrupted = &watch_for_interruption(),
                         .report = progress.reporter()};
   Rendering rendering = carry_on(task.run.run, task.job, session, keeper);
-  if (is_of_wall_time(task.budget))
-    if (std::string load =
-            load_warning(rendering.seconds, rendering.processor_seconds, rendering.threads);
-        !load.empty())
-      rendering.warnings.push_back(std::move(load));
-  if (rendering.threads < global.threads)
-    rendering.warnings.push_back(fmt::format("only {} of the {} threads could be started",
-                                             rendering.threads, global.threads));
-  std::vector<std::string> warnings = scene_warnings(task.document, task.run.scene_source);
-  rendering.warnings.insert(rendering.warnings.begin(), warnings.begin(), warnings.end());
+  add_warnings(rendering, session, task.document, task.run.scene_source);
   return rendering;
 }
 

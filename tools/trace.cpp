@@ -14,6 +14,7 @@
 #include "lab/replay.h"
 #include "lab/scene_source.h"
 #include "lab/trace.h"
+#include "lab/trace_request.h"
 #include "lab/wording.h"
 #include "records/atomic_file.h"
 #include "records/trajectory_csv.h"
@@ -35,7 +36,6 @@ namespace {
 
 constexpr std::uint64_t default_steps = 1000;
 constexpr std::uint64_t most_steps = std::uint64_t{1} << 53;
-constexpr std::uint64_t most_draws = 100'000'000;  // of all chains, some hundred bytes each
 
 struct TraceOptions {
   std::string scene;
@@ -58,10 +58,7 @@ struct TraceOptions {
 
 void require_traceable(const TraceOptions& options) {
   const Method& method = *options.method;
-  if (!method.is_traced())
-    throw UsageError(fmt::format(
-        "trace records Markov chains whose state is one path; {} has none: allowed are {}",
-        method.name, in_words(traced_methods())));
+  require_traced(method);
   options.given->require_for(method);
   if (options.replay && !method.is_replayed())
     throw UsageError(fmt::format(
@@ -101,10 +98,7 @@ TraceWindow window_of(const TraceOptions& options) {
     window.first = first;
     window.end = end;
   }
-  if (window.draws() > most_draws / static_cast<std::uint64_t>(options.chains))
-    throw UsageError(fmt::format(
-        "{} chains of {} draws are more than {} in all; record less with --every or --window",
-        options.chains, window.draws(), most_draws));
+  require_bounded({options.chains, window});
   return window;
 }
 

@@ -1,0 +1,156 @@
+// Runs that are made: begun, carried on as often as Python asks, and kept.
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/unique_ptr.h>
+
+#include <chrono>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "lab/checkpoint.h"
+#include "lab/failure.h"
+#include "lab/held_run.h"
+#include "lab/parsing.h"
+#include "lab/run_warnings.h"
+#include "lab/scene_source.h"
+#include "mlt/seeds/nothing_found.h"
+#include "python/binding/bindings.h"
+#include "python/binding/listening.h"
+#include "python/binding/record.h"
+#include "python/binding/run_request.h"
+#include "python/binding/scene.h"
+#include "tools/output_place.h"
+
+namespace wander::python {
+
+namespace nb = nanobind;
+
+namespace {
+
+// Rests after so many seconds of sampling, where a run that is interrupted has the bits of one that
+// is not.
+class Rest {
+ public:
+  explicit Rest(std::optional<double> seconds) : seconds_(seconds) {}
+
+  bool is_due(const ProgressReport& report) {
+    if (!seconds_ || report.phase != sampling) return false;
+    if (!begun_) begun_ = report.seconds;
+    return report.seconds - *begun_ >= *seconds_;
+  }
+
+ private:
+  static constexpr std::string_view sampling = "sampling";
+
+  std::optional<double> seconds_, begun_;
+};
+
+class BoundRun {
+ public:
+  explicit BoundRun(RunRequest request, KeptRun from = {})
+      : request_(std::move(request)), from_(std::move(from)) {}
+
+  // "complete", "rested" or "interrupted".
+  std::string go_on(const std::string& budget, int threads, std::optional<double> rest,
+                    nb::object progress) {
+    Listening listening(std::move(progress));
+    Rest resting(rest);
+    const Session session{.budget = parse_budget(budget),
+                          .seed = request_.seed,
+                          .threads = threads,
+                          .interrupted = &listening.is_stopped(),
+                          .report = [&](const ProgressReport& report) {
+                            listening.tell(report);
+                            if (resting.is_due(report)) listening.stop();
+                          }};
+    budget_ = budget;
+    try {
+      listening.carry_out([&] { compute(session); });
+    } catch (const NothingComputed&) {
+      return "interrupted";
+    }
+    if (record_.run->rendering.complete) return "complete";
+    return listening.heard_interrupt() ? "interrupted" : "rested";
+  }
+
+  // None before anything was computed.
+  std::optional<BoundRecord> record() const {
+    if (!record_.run) return std::nullopt;
+    return record_;
+  }
+
+  // With its checkpoint: `wander render --continue` carries it on.
+  void write(const std::string& directory, bool replaces, double exposure) const {
+    write_record(record_, directory, replaces, exposure);
+    Checkpoint checkpoint = request_.checkpoint(budget_);
+    checkpoint.run = run_->kept();
+    const StateWriter state = [&](std::ostream& bytes) { bytes << checkpoint.run.state; };
+    write_checkpoint(checkpoint, state, directory);
+  }
+
+ private:
+  void compute(const Session& session) {
+    if (!run_) run_ = std::make_unique<HeldRun>(request_.job(), session, std::exchange(from_, {}));
+    Rendering rendering = run_->go_on(session);
+    const SceneDocument& document = request_.scene.document;
+    add_warnings(rendering, session, document, request_.scene.source);
+    record_.run = std::make_shared<const RunRecord>(
+        RunRecord{std::move(rendering), provenance_of(document, request_.command_line)});
+  }
+
+  RunRequest request_;
+  KeptRun from_;
+  std::string budget_;
+  std::unique_ptr<HeldRun> run_;
+  BoundRecord record_;
+};
+
+std::unique_ptr<BoundRun> begin(const BoundScene& scene, const std::string& method,
+                                const std::map<std::string, std::string>& dials, std::uint64_t seed,
+                                const std::string& command_line) {
+  RunRequest request{scene, method, dials, seed, command_line};
+  request.require_sound();
+  return std::make_unique<BoundRun>(std::move(request));
+}
+
+constexpr const char* anew = "render the scene anew";
+
+// From the checkpoint in a directory; with the source of its scene, and its budget.
+std::tuple<std::unique_ptr<BoundRun>, std::string, std::string> resumed(
+    const std::string& directory) {
+  Checkpoint kept = read_checkpoint(directory, anew);
+  RunRequest request{{reopen_scene(kept.scene_text, kept.scene_source), kept.scene_source},
+                     kept.method,
+                     kept.dials,
+                     kept.seed,
+                     "wanderlight.open_run"};
+  auto run = std::make_unique<BoundRun>(std::move(request), std::move(kept.run));
+  return {std::move(run), kept.scene_source, kept.budget};
+}
+
+}  // namespace
+
+void bind_run(nb::module_& module) {
+  module.def(
+      "require_budget", [](const std::string& text) { parse_budget(text); }, nb::arg("text"));
+  nb::class_<BoundRun>(module, "Run", "A run that goes on as often as it is asked.")
+      .def(nb::new_(&begin), nb::arg("scene"), nb::arg("method"), nb::arg("dials"), nb::arg("seed"),
+           nb::arg("command_line"))
+      .def_static("resumed", &resumed, nb::arg("directory"),
+                  "From its checkpoint; with the source of its scene, and its budget.")
+      .def("go_on", &BoundRun::go_on, nb::arg("budget"), nb::arg("threads"), nb::arg("rest").none(),
+           nb::arg("progress").none())
+      .def_prop_ro("record", &BoundRun::record)
+      .def("write", &BoundRun::write, nb::arg("directory"), nb::arg("overwrite"),
+           nb::arg("exposure"));
+}
+
+}  // namespace wander::python

@@ -1,0 +1,45 @@
+"""What Python asks for, in the words of the command line: one language, and one set of messages."""
+
+from __future__ import annotations
+
+import shlex
+from typing import Any, Iterable, Mapping, Union
+
+__all__ = ["Budget", "Setting", "budget_text", "command_line", "setting_texts"]
+
+# A number of samples, or "2M", "30s", "30cpu-s", "error<1%".
+Budget = Union[int, float, str]
+Setting = Union[str, float, int, bool, Mapping[str, float], None]
+
+
+def budget_text(budget: Budget) -> str:
+    """A budget as `wander render -b` takes it."""
+    if isinstance(budget, str):
+        return budget
+    return str(int(budget)) if budget == int(budget) else str(budget)
+
+
+def setting_text(value: Setting) -> str:
+    """The value of a dial as its option takes it."""
+    if value is True:
+        return "on"
+    if isinstance(value, Mapping):
+        return ",".join(f"{name}={weight!r}" for name, weight in value.items())
+    return value if isinstance(value, str) else repr(value)
+
+
+def setting_texts(settings: Mapping[str, Setting]) -> dict[str, str]:
+    """The dials that are turned; None and False leave one as usual."""
+    return {
+        name: setting_text(value) for name, value in settings.items() if value is not None and value is not False
+    }
+
+
+def command_line(words: Iterable[Any], settings: Mapping[str, str]) -> str:
+    """What makes the same on a command line."""
+    options: list[str] = []
+    for name, text in settings.items():
+        options.append("--" + name.replace("_", "-"))
+        if text != "on":
+            options.append(text)
+    return shlex.join(["wander", *(str(word) for word in words), *options])
