@@ -55,10 +55,6 @@ std::string name_of(const Plan& plan, const Turn& turn) {
                      plan.budgets[turn.budget].text, turn.replicate + 1, plan.replicates);
 }
 
-std::vector<Turn> turns_of(const Plan& plan) {
-  return schedule({plan.entrants.size(), plan.budgets.size(), plan.replicates}, plan.seed);
-}
-
 // None if it was interrupted.
 std::optional<FinishedTurn> made(const Plan& plan, const Turn& turn, Course& course) {
   try {
@@ -66,10 +62,7 @@ std::optional<FinishedTurn> made(const Plan& plan, const Turn& turn, Course& cou
         course.render(plan.entrants[turn.contender].job.value(), plan.budgets[turn.budget].budget,
                       turn.seed, name_of(plan, turn));
     if (!rendering.complete) return std::nullopt;
-    FinishedTurn finished{.run = run_of(plan, turn, rendering)};
-    if (turn.replicate == 0 && turn.budget + 1 == plan.budgets.size())
-      finished.details = std::move(rendering);
-    return finished;
+    return finished(plan, turn, std::move(rendering));
   } catch (const NoLightFound& dark) {
     return FinishedTurn{
         .failure = FailedRun{turn.contender, turn.budget, turn.replicate, turn.seed, dark.what()}};
@@ -83,6 +76,17 @@ void add(FinishedTurn finished, Runs& runs) {
 }
 
 }  // namespace
+
+std::vector<Turn> turns_of(const Plan& plan) {
+  return schedule({plan.entrants.size(), plan.budgets.size(), plan.replicates}, plan.seed);
+}
+
+FinishedTurn finished(const Plan& plan, const Turn& turn, Rendering rendering) {
+  FinishedTurn finished{.run = run_of(plan, turn, rendering)};
+  if (turn.replicate == 0 && turn.budget + 1 == plan.budgets.size())
+    finished.details = std::move(rendering);
+  return finished;
+}
 
 double reference_effort(const Plan& plan) {
   return 3 * static_cast<double>(plan.replicates) * effort_of(plan.budgets.back().budget);

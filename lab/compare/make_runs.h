@@ -29,6 +29,10 @@ double effort_of(const Plan& plan);
 // Of some turns.
 double effort_of(const Plan& plan, const std::vector<Turn>& turns);
 
+// All of them, in their order.
+std::vector<Turn> turns_of(const Plan& plan);
+// One that has come to its end, of its rendering.
+FinishedTurn finished(const Plan& plan, const Turn& turn, Rendering rendering);
 // Those that are not kept yet, in their order.
 std::vector<Turn> turns_to_come(const Plan& plan, const KeptComparison& kept);
 

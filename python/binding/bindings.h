@@ -10,6 +10,7 @@ void bind_scene(nanobind::module_& module);
 void bind_record(nanobind::module_& module);
 void bind_run(nanobind::module_& module);
 void bind_trace(nanobind::module_& module);
+void bind_comparison(nanobind::module_& module);
 void bind_verbs(nanobind::module_& module);
 
 }  // namespace wander::python

@@ -17,6 +17,13 @@ void Listening::tell(const ProgressReport& report) {
   told_ = Told{report, report.phase};
 }
 
+Session Listening::session(std::uint64_t seed, int threads) {
+  return {.seed = seed,
+          .threads = threads,
+          .interrupted = &is_stopped(),
+          .report = [this](const ProgressReport& report) { tell(report); }};
+}
+
 void Listening::listen() {
   try {
     if (PyErr_CheckSignals() != 0) throw nb::python_error();

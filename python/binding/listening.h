@@ -5,6 +5,7 @@
 #include <nanobind/nanobind.h>
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
@@ -23,6 +24,9 @@ class Listening {
   void stop() { stopped_ = true; }
   const std::atomic<bool>& is_stopped() const { return stopped_; }
   void tell(const ProgressReport& report);
+
+  // One that is heard here.
+  Session session(std::uint64_t seed, int threads);
 
   // Throws what the work throws, and what Python does while it listens, but for Ctrl-C: that asks
   // the work to end, and is remembered.

@@ -12,5 +12,6 @@ NB_MODULE(_wander, module) {
   bind_record(module);
   bind_run(module);
   bind_trace(module);
+  bind_comparison(module);
   bind_verbs(module);
 }

@@ -113,6 +113,13 @@ class BoundRun {
   BoundRecord record_;
 };
 
+// None of a budget of another kind.
+std::optional<std::uint64_t> samples_of(const std::string& budget) {
+  const Budget parsed = parse_budget(budget);
+  const auto* count = std::get_if<SampleBudget>(&parsed);
+  return count ? std::optional(count->samples) : std::nullopt;
+}
+
 std::unique_ptr<BoundRun> begin(const BoundScene& scene, const std::string& method,
                                 const std::map<std::string, std::string>& dials, std::uint64_t seed,
                                 const std::string& command_line) {
@@ -139,8 +146,8 @@ std::tuple<std::unique_ptr<BoundRun>, std::string, std::string> resumed(
 }  // namespace
 
 void bind_run(nb::module_& module) {
-  module.def(
-      "require_budget", [](const std::string& text) { parse_budget(text); }, nb::arg("text"));
+  module.def("samples_of_budget", &samples_of, nb::arg("budget"),
+             "None of one that is a time or an error; raises UsageError if it is none.");
   nb::class_<BoundRun>(module, "Run", "A run that goes on as often as it is asked.")
       .def(nb::new_(&begin), nb::arg("scene"), nb::arg("method"), nb::arg("dials"), nb::arg("seed"),
            nb::arg("command_line"))

@@ -18,6 +18,8 @@ namespace nb = nanobind;
 
 namespace {
 
+using Table = nb::typed<nb::dict, nb::str, nb::any>;
+
 BoundScene opened(const std::string& source) { return {open_scene(source), source}; }
 
 BoundScene parsed(const std::string& text, const std::string& source) {
@@ -44,9 +46,9 @@ figure::Quantity value_of(const description::Scene& scene) {
 }
 
 // What its film is of: the quantity, its unit, and where the bins of a row lie.
-nb::dict film_axes_of(const BoundScene& scene) {
+Table film_axes_of(const BoundScene& scene) {
   const description::Scene& s = scene.document.scene;
-  nb::dict film;
+  Table film;
   film["value"] = quantity_of(value_of(s));
   if (s.dimension == 2) {
     film["position"] = quantity_of(figure::film_axes(s).position);
@@ -56,12 +58,12 @@ nb::dict film_axes_of(const BoundScene& scene) {
 }
 
 // Of a scene of the plane: a row of numbers for each segment, and for each arc.
-nb::dict curves_of(const BoundScene& scene) {
+Table curves_of(const BoundScene& scene) {
   const SceneCurves curves = scene_curves(scene.document.scene);
   std::vector<std::string> materials;
   for (const std::int32_t material : curves.material)
     materials.push_back(material_types[static_cast<std::size_t>(material)]);
-  nb::dict dict;
+  Table dict;
   dict["kind"] = curves.kind;
   dict["material"] = materials;
   dict["from"] = curves.from;

@@ -16,10 +16,13 @@ namespace nb = nanobind;
 
 namespace {
 
+using Row = nb::typed<nb::dict, nb::str, nb::any>;
+using Rows = nb::typed<nb::list, Row>;
+
 nb::str text_of(std::string_view text) { return nb::str(text.data(), text.size()); }
 
-nb::list method_table() {
-  nb::list table;
+Rows method_table() {
+  Rows table;
   for (const Method& method : methods()) {
     nb::list words;
     for (const Dial& dial : dials())
@@ -34,8 +37,8 @@ nb::list method_table() {
   return table;
 }
 
-nb::list dial_table() {
-  nb::list table;
+Rows dial_table() {
+  Rows table;
   for (const Dial& dial : dials()) {
     nb::dict row;
     row["name"] = std::string(dial.word);
@@ -57,11 +60,11 @@ nb::tuple stroke_of(const figure::style::Stroke& stroke) {
 }
 
 // Of figures: colours, and strokes as (colour, dashes).
-nb::dict style_table() {
+Row style_table() {
   namespace style = figure::style;
   nb::list films;
   for (const style::Stroke& film : style::films) films.append(stroke_of(film));
-  nb::dict table;
+  Row table;
   table["ink"] = text_of(style::ink);
   table["wall"] = text_of(style::wall);
   table["light"] = text_of(style::light);

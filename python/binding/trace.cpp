@@ -54,10 +54,7 @@ std::pair<nb::bytes, bool> trace_of(const BoundScene& scene, const std::string& 
   const RunRequest request{scene, method, dials, seed, command_line};
   request.require_sound();
   Listening listening(std::move(progress));
-  const Session session{.seed = seed,
-                        .threads = threads,
-                        .interrupted = &listening.is_stopped(),
-                        .report = [&](const ProgressReport& report) { listening.tell(report); }};
+  const Session session = listening.session(seed, threads);
   std::string file;
   bool complete = false;
   try {
@@ -89,10 +86,7 @@ std::pair<std::string, std::string> replay_of(const BoundScene& scene, const Tex
   const RunRequest request{scene, std::string(method.name), dials, seed, {}};
   request.require_sound();
   Listening listening{nb::object(nb::none())};
-  Session session;
-  session.seed = seed;
-  session.threads = threads;
-  session.interrupted = &listening.is_stopped();
+  const Session session = listening.session(seed, threads);
   std::string json, text;
   listening.carry_out([&] {
     const Replay replayed = replay(request.job(), session, chain, step);

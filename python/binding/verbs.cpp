@@ -1,22 +1,17 @@
-// What the program does with whole scenes and runs: check, compare, merge and import.
+// What the program does with whole scenes and runs: check, merge and import.
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/map.h>
-#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "draw/report/comparison_files.h"
-#include "lab/compare/comparison_json.h"
 #include "lab/merge.h"
 #include "lab/scene_source.h"
 #include "python/binding/bindings.h"
@@ -24,9 +19,7 @@
 #include "python/binding/record.h"
 #include "python/binding/run_request.h"
 #include "tools/check_run.h"
-#include "tools/compare_runs.h"
 #include "tools/import_files.h"
-#include "tools/output_place.h"
 
 namespace wander::python {
 
@@ -34,15 +27,7 @@ namespace nb = nanobind;
 
 namespace {
 
-namespace fs = std::filesystem;
 using Texts = std::map<std::string, std::string>;
-
-Session heard_by(Listening& listening, std::uint64_t seed, int threads) {
-  return {.seed = seed,
-          .threads = threads,
-          .interrupted = &listening.is_stopped(),
-          .report = [&](const ProgressReport& report) { listening.tell(report); }};
-}
 
 // The findings as JSON, and as text for people.
 std::pair<std::string, std::string> check_of(const BoundScene& scene, const Texts& dials,
@@ -51,7 +36,7 @@ std::pair<std::string, std::string> check_of(const BoundScene& scene, const Text
   const RunRequest request{scene, std::string(mutated_method().name), dials, seed, {}};
   request.require_sound();
   Listening listening(std::move(progress));
-  Session session = heard_by(listening, seed, threads);
+  Session session = listening.session(seed, threads);
   session.budget = SampleBudget{samples};
   std::string json, text;
   listening.carry_out([&] {
@@ -70,7 +55,7 @@ BoundRecord merged(const std::vector<std::string>& directories, int threads) {
   require_mergeable(parts);
   const Checkpoint& first = parts.front().run;
   Listening listening{nb::object(nb::none())};
-  const Session session = heard_by(listening, first.seed, threads);
+  const Session session = listening.session(first.seed, threads);
   BoundRecord record;
   listening.carry_out([&] {
     const SceneDocument document = reopen_scene(first.scene_text, first.scene_source);
@@ -81,57 +66,6 @@ BoundRecord merged(const std::vector<std::string>& directories, int threads) {
     record.run = std::make_shared<const RunRecord>(std::move(run));
   });
   return record;
-}
-
-// ---- comparisons
-
-CompareOptions options_of(const BoundScene& scene, const Texts& words,
-                          const std::vector<std::string>& fixed,
-                          const std::vector<std::string>& sweeps, std::size_t replicates,
-                          std::uint64_t seed, std::optional<double> target) {
-  CompareOptions options;
-  options.scene = scene.source;
-  options.document = scene.document;
-  options.methods = words.at("methods");
-  options.budgets = words.at("budgets");
-  options.reference = words.at("reference");
-  options.replicates = replicates;
-  options.seed = seed;
-  options.fixed = fixed;
-  options.sweeps = sweeps;
-  options.target = target;
-  return options;
-}
-
-// compare.json; its files are in the directory.
-std::string comparison_of(const BoundScene& scene, const Texts& words,
-                          const std::vector<std::string>& fixed,
-                          const std::vector<std::string>& sweeps, std::size_t replicates,
-                          std::uint64_t seed, std::optional<double> target,
-                          const std::string& directory, bool replaces, int threads,
-                          const std::string& command_line, nb::object progress) {
-  Global global;
-  global.out = directory;
-  global.force = replaces;
-  global.threads = threads;
-  global.seed = seed;
-  const CompareOptions options = options_of(scene, words, fixed, sweeps, replicates, seed, target);
-  Examination examination;
-  std::optional<CompareTask> task = examine_compare(options, global, examination);
-  examination.require_passed();
-  const OutputDirectory place(directory, global);
-  Listening listening(std::move(progress));
-  const compare::CompareHost host{.session = heard_by(listening, seed, threads),
-                                  .announce = [](const compare::Forecast&) {},
-                                  .command_line = command_line};
-  std::string json;
-  listening.carry_out([&] {
-    const compare::Comparison comparison =
-        compare::summarize(compare::runs_of(*task, options, host, place.path()));
-    compare::write_comparison(comparison, task->document.scene, place.path());
-    json = compare::to_json(comparison).dump();
-  });
-  return json;
 }
 
 // ---- scenes of Mitsuba
@@ -154,10 +88,6 @@ void bind_verbs(nb::module_& module) {
              nb::arg("seed"), nb::arg("threads"), nb::arg("progress").none(),
              "The findings as JSON and as text.");
   module.def("merge", &merged, nb::arg("directories"), nb::arg("threads"));
-  module.def("compare", &comparison_of, nb::arg("scene"), nb::arg("words"), nb::arg("fixed"),
-             nb::arg("sweeps"), nb::arg("replicates"), nb::arg("seed"), nb::arg("target").none(),
-             nb::arg("directory"), nb::arg("overwrite"), nb::arg("threads"),
-             nb::arg("command_line"), nb::arg("progress").none(), "compare.json");
   module.def("import_mitsuba", &imported, nb::arg("file"), nb::arg("out"), nb::arg("parameters"),
              nb::arg("approximate"), "What is not exact, each with its place.");
 }

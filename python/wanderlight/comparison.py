@@ -6,7 +6,7 @@ import json
 import shlex
 import tempfile
 from pathlib import Path
-from typing import Any, Iterable, Mapping, Sequence, Union
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Union
 
 import pandas as pd
 
@@ -15,6 +15,9 @@ from wanderlight.errors import Interrupted
 from wanderlight.progress import Bar, Progress
 from wanderlight.scene import SceneLike, load
 from wanderlight.words import Budget, Setting, budget_text, setting_text
+
+if TYPE_CHECKING:
+    from distributed import Client
 
 __all__ = ["Comparison", "compare"]
 
@@ -118,6 +121,7 @@ def compare(
     progress: Progress = None,
     out: Union[str, Path, None] = None,
     overwrite: bool = False,
+    client: Client | None = None,
 ) -> Comparison:
     """Runs every method several times at every budget, and says who is ahead: `wander compare`.
 
@@ -146,6 +150,9 @@ def compare(
         none: to a folder that lives as long as the comparison.
     overwrite : bool
         May `out` hold something?
+    client : distributed.Client, optional
+        A Dask cluster, whose workers make the runs, with `threads` each, one if it is 0; the reference is made here.
+        Films and errors do not depend on the workers, times do.
 
     Returns
     -------
@@ -168,10 +175,15 @@ def compare(
     fixed = [f"{name}={setting_text(value)}" for name, value in (dials or {}).items()]
     sweeps = [f"{name}=" + "".join(setting_text(value) + ";" for value in values) for name, values in (sweep or {}).items()]
     line = shlex.join(["wander", "compare", read.source, "-m", words["methods"], "-b", words["budgets"], "-s", str(seed)])
+    engine = _wander.Comparison(
+        read._bound, words, fixed, sweeps, replicates, seed, target, str(folder), overwrite, threads, line
+    )
+    if client is not None:
+        from wanderlight.cluster import make_turns
+
+        make_turns(client, read, engine, threads or 1, progress)
     with Bar(progress) as bar:
-        data = _wander.compare(
-            read._bound, words, fixed, sweeps, replicates, seed, target, str(folder), overwrite, threads, line, bar.listener
-        )
+        data = engine.finish(bar.listener)
     found = Comparison(json.loads(data), folder, kept)
     if not found.record["complete"]:
         raise Interrupted("interrupted; `run` has the runs that are complete", found)

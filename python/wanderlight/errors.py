@@ -49,10 +49,11 @@ class UsageError(WanderlightError, ValueError):
     Examples
     --------
     >>> import wanderlight as wl
-    >>> wl.load("gallery:slitt")
-    Traceback (most recent call last):
-    ...
-    wanderlight.errors.UsageError: no scene 'slitt' in the gallery; did you mean 'slit'?
+    >>> try:
+    ...     wl.load("gallery:slitt")
+    ... except wl.UsageError as error:
+    ...     print(str(error).split(";")[0:2])
+    ['unknown scene "slitt"', ' did you mean "slit"?']
     """
 
 

@@ -234,8 +234,8 @@ def paths(
     --------
     >>> import wanderlight as wl
     >>> data = wl.trace("gallery:slit", steps=50, chains=1)
-    >>> len(wl.plot.paths(data, "gallery:slit").collections)
-    2
+    >>> [lines.get_label() for lines in wl.plot.paths(data, "gallery:slit").collections]
+    ['rejected', 'accepted']
     """
     ax = _axes(ax)
     if scene is not None:

@@ -238,7 +238,7 @@ class Result:
         >>> import wanderlight as wl
         >>> run = wl.render("gallery:slit", "mlt", "20k", mutations={"lens": 1, "primary": 2})
         >>> sorted(run.mutations.index)
-        ['lens', 'primary']
+        ['lens', 'primary_large', 'primary_small']
         """
         rows = {
             name: {key: value for key, value in row.items() if not isinstance(value, (dict, list))}

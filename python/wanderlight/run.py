@@ -163,7 +163,7 @@ def begin(
     read = load(scene)
     settings = setting_texts(dials)
     text = budget_text(budget)
-    _wander.require_budget(text)
+    _wander.samples_of_budget(text)  # it is one
     words = ["render", read.source, "-m", method, "-b", text, "-s", seed]
     engine = _wander.Run(read._bound, method, settings, seed, command_line(words, settings))
     return Run(engine, read, budget, threads)

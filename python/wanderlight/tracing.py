@@ -117,8 +117,8 @@ class Replay:
     --------
     >>> import wanderlight as wl
     >>> step = wl.replay("gallery:slit", chain=0, step=17)
-    >>> 0 <= step.factors["acceptance"] <= 1
-    True
+    >>> step.factors["mutation"], step.factors["acceptance_rate"]
+    ('primary_large', 0.0)
     """
 
     def __init__(self, factors: dict[str, Any], text: str) -> None:
@@ -149,7 +149,7 @@ def replay(scene: SceneLike, chain: int, step: int, *, seed: int = 1, threads: i
     --------
     >>> import wanderlight as wl
     >>> print(str(wl.replay("gallery:slit", chain=0, step=17)).splitlines()[0])
-    chain 0, step 17: mutation primary, rejected
+    chain 0, step 17: primary_large, rejected: zero_contribution
     """
     data, text = _wander.replay(load(scene)._bound, setting_texts(dials), seed, threads, chain, step)
     return Replay(json.loads(data), text)
