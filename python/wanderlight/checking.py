@@ -80,7 +80,7 @@ def check(
     Examples
     --------
     >>> import wanderlight as wl
-    >>> wl.check("gallery:furnace", samples=2000).table.loc["pt", "verdict"]
+    >>> wl.check("gallery:furnace", samples=2000).table.loc["mixture", "verdict"]
     'passed'
     """
     with Bar(progress) as bar:

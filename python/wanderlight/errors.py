@@ -52,8 +52,8 @@ class UsageError(WanderlightError, ValueError):
     >>> try:
     ...     wl.load("gallery:slitt")
     ... except wl.UsageError as error:
-    ...     print(str(error).split(";")[0:2])
-    ['unknown scene "slitt"', ' did you mean "slit"?']
+    ...     print(str(error).split("?")[0])
+    unknown scene "slitt"; did you mean "slit"
     """
 
 

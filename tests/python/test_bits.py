@@ -1,0 +1,118 @@
+"""A run in Python has the bits of the run on the command line, however it is made."""
+
+from __future__ import annotations
+
+import shlex
+
+import numpy as np
+import pytest
+
+import wanderlight as wl
+
+CASES = [
+    ("slit", "bdpt", "30k", {}),
+    ("slit", "mlt", "50k", {"large_step": 0.2, "mutations": {"lens": 1, "primary": 2}}),
+    ("slit", "mlt", "50k", {"film": "chains", "precision": "float"}),
+    ("lens", "mmlt", "40k", {"by_length": True, "max_vertices": 6}),
+    ("lens", "pssmlt", "error<20%", {"kernel": 2}),
+    ("cornell-glass", "mlt", "40k", {}),
+    ("cornell-glass", "pt", "20k", {"max_vertices": 4}),
+]
+
+
+def options_of(dials: dict) -> list[str]:
+    words = []
+    for name, value in dials.items():
+        words.append("--" + name.replace("_", "-"))
+        if isinstance(value, dict):
+            words.append(",".join(f"{key}={weight}" for key, weight in value.items()))
+        elif value is not True:
+            words.append(str(value))
+    return words
+
+
+def same_films(a, b) -> bool:
+    return all(
+        np.array_equal(one.to_numpy(), other.to_numpy(), equal_nan=True)
+        for one, other in ((a.film, b.film), (a.standard_error, b.standard_error), (a.reliable, b.reliable))
+    )
+
+
+@pytest.mark.parametrize("scene, method, budget, dials", CASES)
+def test_python_and_the_program_compute_the_same(wander, tmp_path, scene, method, budget, dials):
+    wander.run(tmp_path / "run", f"gallery:{scene}", "-m", method, "-b", budget, "-s", 3, *options_of(dials))
+    theirs = wl.open_run(tmp_path / "run")
+    ours = wl.render(f"gallery:{scene}", method, budget, seed=3, threads=1, **dials)
+    assert same_films(ours, theirs)
+    unequal = {"seconds", "cpu_seconds", "seed_seconds", "threads", "command_line", "provenance", "chains", "mutations"}
+    for key in ours.record.keys() - unequal:
+        assert ours.record[key] == theirs.record[key], key
+    again = wander.run(tmp_path / "again", *shlex.split(ours.record["command_line"])[2:])
+    assert again["samples"] == ours.samples
+    assert same_films(ours, wl.open_run(tmp_path / "again"))
+
+
+def test_another_seed_is_another_film():
+    assert not same_films(wl.render("gallery:slit", "bdpt", "30k"), wl.render("gallery:slit", "bdpt", "30k", seed=2))
+
+
+@pytest.mark.parametrize(
+    "scene, method, samples",
+    [("slit", "mlt", 3_000_000), ("slit", "bdpt", 1_000_000), ("lens", "mmlt", 2_000_000), ("cornell", "mlt", 300_000)],
+)
+def test_rests_change_no_bit(scene, method, samples):
+    whole = wl.render(f"gallery:{scene}", method, samples)
+    rested = wl.begin(f"gallery:{scene}", method, samples)
+    previews = list(rested.previews(every=0.001))
+    assert not previews[0].complete and previews[-1].complete
+    assert previews[0].samples < previews[-1].samples == samples
+    assert same_films(whole, rested)
+
+
+class Stop(KeyboardInterrupt):
+    pass
+
+
+@pytest.mark.parametrize("phase", ["seed pass", "sampling"])
+def test_ctrl_c_changes_no_bit(phase):
+    whole = wl.render("gallery:slit", "mlt", "2M", seed_share=0.5)
+    run = wl.begin("gallery:slit", "mlt", "2M", seed_share=0.5)
+    stops = []
+
+    def stop(fraction, samples, seconds, now):
+        if now == phase and not stops:
+            stops.append(fraction)
+            raise KeyboardInterrupt
+
+    with pytest.raises(wl.Interrupted) as caught:
+        run.advance(progress=stop)
+    assert caught.value.run is run
+    assert not run.complete
+    run.advance()
+    assert run.complete and same_films(whole, run)
+
+
+def test_a_run_goes_on_as_the_program_carries_it_on(wander, tmp_path):
+    wander.run(tmp_path / "run", "gallery:slit", "-m", "mlt", "-b", "50k")
+    wander("render", "--continue", "-o", tmp_path / "run", "-b", "90k", "-q")
+    ours = wl.render("gallery:slit", "mlt", "50k").advance("90k")
+    assert same_films(ours, wl.open_run(tmp_path / "run"))
+
+
+def test_a_saved_run_goes_on_in_the_program_and_in_python(wander, tmp_path):
+    wl.render("gallery:slit", "mlt", "50k").save(tmp_path / "run")
+    here = wl.open_run(tmp_path / "run").advance("70k")
+    wander("render", "--continue", "-o", tmp_path / "run", "-b", "70k", "-q")
+    assert same_films(here, wl.open_run(tmp_path / "run"))
+
+
+def test_merged_runs(wander, tmp_path):
+    for seed in (1, 2, 3):
+        wl.render("gallery:slit", "mlt", "20k", seed=seed).save(tmp_path / str(seed))
+    folders = [tmp_path / str(seed) for seed in (3, 1, 2)]
+    wander("merge", *folders, "-q", "-o", tmp_path / "all")
+    ours = wl.merge(folders)
+    assert ours.samples == 60_000
+    assert same_films(ours, wl.open_run(tmp_path / "all"))
+    with pytest.raises(wl.UsageError, match="same seed 1"):
+        wl.merge([tmp_path / "1", tmp_path / "1"])

@@ -1,0 +1,115 @@
+"""Scenes that are built in Python meet the validation of scene files, and its messages."""
+
+from __future__ import annotations
+
+import json
+import pickle
+
+import numpy as np
+import pytest
+
+import wanderlight as wl
+
+PLASTER = wl.Diffuse(0.5)
+
+
+def room(*more: wl.Shape, **kinds) -> wl.Scene:
+    return wl.Scene(
+        [
+            wl.Polyline([(0, 0), (2, 0), (2, 2), (0, 2)], closed=True, material=PLASTER),
+            wl.Segment((1.1, 1.9), (0.9, 1.9), light=1),
+            wl.Segment((0.5, 0.1), (1.5, 0.1), sensor=20),
+            *more,
+        ],
+        **kinds,
+    )
+
+
+FAULTY = [
+    {"format": "wanderlight-scene/1", "dimension": 2, "shapes": []},
+    {"format": "wanderlight-scene/1", "dimension": 2, "shapes": [{"type": "segment", "from": [0, 0]}], "nmae": "x"},
+    {
+        "format": "wanderlight-scene/1",
+        "dimension": 2,
+        "materials": {"m": {"type": "diffuse", "reflectance": 1.5}},
+        "shapes": [
+            {"type": "segment", "from": [0, 0], "to": [1, 0], "light": {"radiance": -1}},
+            {"type": "circle", "center": [0, 3], "radius": 1, "material": "n", "sensor": {"bins": 10}},
+        ],
+    },
+]
+
+
+@pytest.mark.parametrize("faulty", FAULTY)
+def test_faults_are_those_of_scene_files(wander, tmp_path, faulty):
+    with pytest.raises(wl.SceneError) as caught:
+        wl.load(faulty)
+    file = tmp_path / "scene.json"
+    file.write_text(json.dumps(faulty, indent=1))
+    theirs = wander("inspect", file, expected=3).stderr
+    ours = str(caught.value).replace("<scene>", str(file))
+    assert ours.splitlines() == [line.removeprefix("error: ") for line in theirs.splitlines() if str(file) in line]
+    assert len(caught.value.faults) == len(ours.splitlines())
+
+
+def test_a_file_that_is_not_there():
+    with pytest.raises(wl.SceneError, match="slit"):
+        wl.load("slit.json")
+
+
+def test_built_scenes_say_what_they_were_told():
+    scene = room(wl.Circle((1, 1), 0.2, material=wl.Dielectric(1.5)), name="a room", max_vertices=5)
+    said = json.loads(scene.text)
+    assert (scene.name, scene.dimension, scene.max_vertices) == ("a room", 2, 5)
+    assert [shape["type"] for shape in said["shapes"]] == ["polyline", "segment", "segment", "circle"]
+    assert said["materials"][said["shapes"][3]["material"]] == {"type": "dielectric", "ior": 1.5}
+    assert said["shapes"][0]["material"] == "diffuse-1"
+    assert "material" not in said["shapes"][1]
+
+
+def test_equal_materials_are_one():
+    scene = room(wl.Segment((0.2, 1), (0.4, 1), material=wl.Diffuse(0.5)))
+    assert list(json.loads(scene.text)["materials"]) == ["diffuse-1"]
+
+
+def test_every_part_of_the_plane_renders():
+    scene = room(
+        wl.Circle((0.4, 1.5), 0.1, material=wl.Mirror(0.9)),
+        wl.Arc((1.5, 1), 0.3, 90, 270, flip=True, material=wl.RoughConductor(0.2, reflectance=0.8)),
+        wl.Circle((0.4, 1), 0.1, material=wl.RoughDielectric(0.1, ior=1.5)),
+        wl.Segment((1.7, 0.5), (1.9, 0.7), material=wl.Conductor(1.2, 5.0)),
+    )
+    assert float(wl.render(scene, "bdpt", "20k").film.mean()) > 0
+    assert set(scene.curves().kind) == {"segment", "arc"}
+
+
+def test_every_part_of_space_renders():
+    cube = wl.Mesh(
+        points=np.array([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]) * 0.5,
+        faces=[(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)],
+        transform=[[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]],
+        material=wl.Diffuse((0.8, 0.2, 0.2)),
+    )
+    scene = wl.Scene(
+        [
+            cube,
+            wl.Sphere((1, 0.3, 0), 0.3, material=wl.Dielectric(1.5)),
+            wl.Triangle([(-1, 0, -1), (1, 0, 1), (1, 0, -1)], material=PLASTER),
+            wl.Parallelogram((-0.5, 2, -0.5), [(1, 0, 0), (0, 0, 1)], light=(5, 5, 4)),
+        ],
+        camera=wl.Camera((0, 1, 4), (0, 0.3, 0), 40, (16, 12), up=(0, 1, 0), aperture_radius=0.01, focus_distance=4),
+    )
+    run = wl.render(scene, "bdpt", "20k")
+    assert run.film.shape == (12, 16, 3) and float(run.film.mean()) > 0
+
+
+def test_scenes_are_pickled_with_their_meshes():
+    scene = wl.load("gallery:bidir-room")
+    again = pickle.loads(pickle.dumps(scene))
+    assert (again.sha256, again.source) == (scene.sha256, scene.source)
+
+
+def test_dictionaries_and_gallery():
+    said = json.loads(room().text)
+    assert wl.load(said).sha256 == wl.load(dict(said)).sha256
+    assert {wl.load(f"gallery:{name}").dimension for name in wl.gallery()} == {2, 3}
