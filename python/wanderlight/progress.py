@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import sys
-import warnings
+import time
 from types import TracebackType
 from typing import Any, Callable, Union
+
+from tqdm import tqdm
 
 __all__ = ["Bar", "Progress"]
 
@@ -13,8 +15,55 @@ __all__ = ["Bar", "Progress"]
 Progress = Union[bool, None, Callable[[float, int, float, str], None]]
 
 
-def _is_watched() -> bool:
-    return sys.stderr.isatty() or "ipykernel" in sys.modules
+_FORMAT = "{desc} {percentage:3.0f} %|{bar}| {elapsed}<{remaining}{postfix}"
+_DELAY = 1.0  # seconds, before which there is nothing to see
+
+
+def _is_notebook() -> bool:
+    return "ipykernel" in sys.modules
+
+
+class _Text:
+    """A bar of text in a notebook: one output that changes, and is empty in the end."""
+
+    def __init__(self) -> None:
+        self._begun = time.monotonic()
+        self._handle: Any = None
+
+    def show(self, fraction: float, phase: str, rate: str) -> None:
+        passed = time.monotonic() - self._begun
+        if passed < _DELAY:
+            return
+        text = tqdm.format_meter(
+            fraction, 1.0, passed, ncols=80, prefix=phase, bar_format=_FORMAT, postfix=rate, unit_scale=True
+        )
+        from IPython.display import display
+
+        shown = {"text/plain": text}
+        if self._handle is None:
+            self._handle = display(shown, raw=True, display_id=True)
+        else:
+            self._handle.update(shown, raw=True)
+
+    def close(self) -> None:
+        if self._handle is not None:
+            self._handle.update({"text/plain": ""}, raw=True)
+
+
+class _Terminal:
+    """A bar of tqdm on stderr."""
+
+    def __init__(self) -> None:
+        self._bar = tqdm(total=1.0, delay=_DELAY, leave=False, bar_format=_FORMAT)
+
+    def show(self, fraction: float, phase: str, rate: str) -> None:
+        self._bar.set_description_str(phase, refresh=False)
+        self._bar.set_postfix_str(rate, refresh=False)
+        self._bar.n = fraction
+        self._bar.refresh()
+
+    def close(self) -> None:
+        self._bar.close()
 
 
 class Bar:
@@ -22,18 +71,10 @@ class Bar:
 
     def __init__(self, progress: Progress) -> None:
         self._own: Callable[[float, int, float, str], None] | None = progress if callable(progress) else None
-        wanted = _is_watched() if progress is None else progress is True
-        self._bar: Any = None
+        wanted = (_is_notebook() or sys.stderr.isatty()) if progress is None else progress is True
+        self._bar: _Text | _Terminal | None = None
         if wanted and self._own is None:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")  # of a notebook without widgets, which has a bar of text
-                from tqdm.auto import tqdm
-            self._bar = tqdm(
-                total=1.0,
-                delay=1.0,
-                leave=False,
-                bar_format="{desc} {percentage:3.0f} %|{bar}| {elapsed}<{remaining}{postfix}",
-            )
+            self._bar = _Text() if _is_notebook() else _Terminal()
 
     @property
     def listener(self) -> Callable[[float, int, float, str], None] | None:
@@ -43,11 +84,9 @@ class Bar:
         return self._show if self._bar is not None else None
 
     def _show(self, fraction: float, samples: int, seconds: float, phase: str) -> None:
-        self._bar.set_description_str(phase, refresh=False)
-        if seconds > 0 and samples > 0:
-            self._bar.set_postfix_str(f"{samples / seconds:.3g} samples/s", refresh=False)
-        self._bar.n = min(max(fraction, 0.0), 1.0)
-        self._bar.refresh()
+        assert self._bar is not None
+        rate = f"{samples / seconds:.3g} samples/s" if seconds > 0 and samples > 0 else ""
+        self._bar.show(min(max(fraction, 0.0), 1.0), phase, rate)
 
     def __enter__(self) -> Bar:
         return self
