@@ -18,12 +18,22 @@ using Film = std::vector<double>;
 // The variance of a residual may not be less than this part of the mean over the bins.
 constexpr double smallest_variance = 1e-3;
 constexpr int smoothing_radius = 2;  // bins
+// Neighbouring bins are taken together until Σ Var p / Σ p² is no more, or there are no fewer bins.
+constexpr double most_noise = 0.005;
+constexpr std::size_t fewest_bins = 16;
 
-// (I_j - b p_j) / σ_j with b = b_0 e^β, over all bins.
+// What is known of the errors of both films.
+struct Variances {
+  const Film &found, &shape;
+
+  double of_residual(std::size_t j, double b) const { return found[j] + b * b * shape[j]; }
+};
+
+// (I_j - b p_j) / √(v_j + b² Var p_j) with b = b_0 e^β, over all bins.
 class Residuals : public ceres::CostFunction {
  public:
-  Residuals(const Film& found, const Film& shape, const Film& sigma, double b0)
-      : found_(found), shape_(shape), sigma_(sigma), b0_(b0) {
+  Residuals(const Film& found, const Film& shape, const Variances& variances, double b0)
+      : found_(found), shape_(shape), variances_(variances), b0_(b0) {
     set_num_residuals(static_cast<int>(found.size()));
     mutable_parameter_block_sizes()->push_back(1);
   }
@@ -31,14 +41,18 @@ class Residuals : public ceres::CostFunction {
                 double** jacobians) const override {
     const double b = b0_ * std::exp(parameters[0][0]);
     for (std::size_t j = 0; j < found_.size(); ++j) {
-      residuals[j] = (found_[j] - b * shape_[j]) / sigma_[j];
-      if (jacobians && jacobians[0]) jacobians[0][j] = -b * shape_[j] / sigma_[j];
+      const double variance = variances_.of_residual(j, b), sigma = std::sqrt(variance);
+      residuals[j] = (found_[j] - b * shape_[j]) / sigma;
+      if (jacobians && jacobians[0])
+        jacobians[0][j] =
+            -b * (shape_[j] / sigma + residuals[j] * b * variances_.shape[j] / variance);
     }
     return std::isfinite(b);
   }
 
  private:
-  const Film &found_, &shape_, &sigma_;
+  const Film &found_, &shape_;
+  Variances variances_;
   double b0_;
 };
 
@@ -46,11 +60,12 @@ struct Solution {
   double b, chi2;
 };
 
-std::optional<Solution> solve(const Film& found, const Film& shape, const Film& sigma, double b0) {
+std::optional<Solution> solve(const Film& found, const Film& shape, const Variances& variances,
+                              double b0) {
   silence_solver();
   ceres::Problem problem;
   double beta = 0;
-  problem.AddResidualBlock(new Residuals(found, shape, sigma, b0), nullptr, &beta);
+  problem.AddResidualBlock(new Residuals(found, shape, variances, b0), nullptr, &beta);
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
   options.logging_type = ceres::SILENT;
@@ -127,7 +142,7 @@ class Films {
       for (std::size_t j = 0; j < bins_; ++j)
         variance[j] += (part[j] - whole[j]) * (part[j] - whole[j]) * (n - 1) / n;
     }
-    return variance;
+    return smoothed(variance, shape_);
   }
 
  private:
@@ -163,30 +178,23 @@ class Half {
 
   std::optional<Solution> fit() {
     const Film found = films_.found(half_, none), shape = films_.shape(none);
-    double b0 = mean_of(found);
-    std::optional<Solution> solution;
-    for (int round = 0; round < 3; ++round) {
-      if (!(b0 > 0) || !set_sigma(b0)) return std::nullopt;
-      solution = solve(found, shape, sigma_, b0);
-      if (!solution) return std::nullopt;
-      b0 = solution->b;
-    }
-    b_ = b0;
+    const double b0 = mean_of(found);
+    if (!(b0 > 0) || !all_known(b0)) return std::nullopt;
+    const std::optional<Solution> solution = solve(found, shape, variances(), b0);
+    if (solution) b_ = solution->b;
     return solution;
   }
-  // With the weights of fit().
+  // With the variances of fit().
   double without(std::size_t group) const {
-    const auto solution = solve(films_.found(half_, group), films_.shape(group), sigma_, b_);
+    const auto solution = solve(films_.found(half_, group), films_.shape(group), variances(), b_);
     return solution ? solution->b : std::numeric_limits<double>::quiet_NaN();
   }
 
  private:
-  bool set_sigma(double b0) {
-    sigma_ = variance_;
-    for (std::size_t j = 0; j < sigma_.size(); ++j) {
-      sigma_[j] = std::sqrt(sigma_[j] + b0 * b0 * shape_variance_[j]);
-      if (!(sigma_[j] > 0)) return false;
-    }
+  Variances variances() const { return {variance_, shape_variance_}; }
+  bool all_known(double b) const {
+    for (std::size_t j = 0; j < variance_.size(); ++j)
+      if (!(variances().of_residual(j, b) > 0)) return false;
     return true;
   }
 
@@ -194,7 +202,6 @@ class Half {
   std::size_t half_;
   Film variance_;
   const Film& shape_variance_;
-  Film sigma_;
   double b_ = 0;
 };
 
@@ -226,12 +233,67 @@ Film smoothed(const Film& film, std::span<const int> shape) {
   return sums;
 }
 
-FilmFit fit_films(std::span<const FilmFitGroup> groups, std::span<const int> shape) {
+namespace {
+
+// Σ Var p / Σ p², the share by which noise of the chains would make b smaller.
+double noise_of_shape(std::span<const FilmFitGroup> groups, std::span<const int> shape) {
+  const Films films(groups, shape);
+  const Film whole = films.shape(none), variance = films.variance_of_shape();
+  double noise = 0, squares = 0;
+  for (std::size_t j = 0; j < whole.size(); ++j) {
+    noise += variance[j];
+    squares += whole[j] * whole[j];
+  }
+  return noise / squares;
+}
+
+// Pairs of bins that lie side by side along an axis, as one; the last may be alone.
+Film paired(const Film& film, int extent, std::size_t stride) {
+  const auto in = static_cast<std::size_t>(extent), out = (in + 1) / 2;
+  Film sums(film.size() / in * out);
+  for (std::size_t j = 0; j < film.size(); ++j) {
+    const std::size_t outer = j / (stride * in), at = j / stride % in, inner = j % stride;
+    sums[(outer * out + at / 2) * stride + inner] += film[j];
+  }
+  return sums;
+}
+
+// Films of the same groups on fewer bins.
+struct Coarse {
+  std::vector<FilmFitGroup> groups;
+  std::vector<int> shape;
+
+  void halve() {
+    std::size_t stride = 1;
+    for (std::size_t axis = shape.size(); axis-- > 0;) {
+      for (FilmFitGroup& group : groups) {
+        group.found = paired(group.found, shape[axis], stride);
+        group.deposits = paired(group.deposits, shape[axis], stride);
+      }
+      shape[axis] = (shape[axis] + 1) / 2;
+      stride *= static_cast<std::size_t>(shape[axis]);
+    }
+  }
+};
+
+// As few bins as it takes for the chains to know them, and no fewer than `fewest_bins`.
+Coarse coarsened(std::span<const FilmFitGroup> groups, std::span<const int> shape) {
+  Coarse coarse{{groups.begin(), groups.end()}, {shape.begin(), shape.end()}};
+  while (coarse.groups.front().found.size() >= 2 * fewest_bins &&
+         noise_of_shape(coarse.groups, coarse.shape) > most_noise)
+    coarse.halve();
+  return coarse;
+}
+
+}  // namespace
+
+FilmFit fit_films(std::span<const FilmFitGroup> fine_groups, std::span<const int> fine_shape) {
   FilmFit fit;
-  if (groups.size() < 4 || groups.front().found.size() < 2) {
+  if (fine_groups.size() < 4 || fine_groups.front().found.size() < 2) {
     fit.failure = "it needs four groups and two bins";
     return fit;
   }
+  const auto [groups, shape] = coarsened(fine_groups, fine_shape);
   const Films films(groups, shape);
   const Film shape_variance = films.variance_of_shape();
   Half even(films, 0, shape_variance), odd(films, 1, shape_variance);

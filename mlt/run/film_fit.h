@@ -4,8 +4,9 @@
 // Sound where the obvious fits are not:
 // - weights do not come from the data that they weigh: the groups are split into halves, and one
 //   half's spread, smoothed over bins that lie side by side, weighs the other's film;
-// - p has errors of its own: the variance of a residual is v_j + b0² Var p_j [effective variance;
-//   Orear 1982], with b0 the iterate before;
+// - p has errors of its own: the variance of a residual is v_j + b² Var p_j [effective variance;
+//   Orear 1982].  b is sought in it, too: with an iterate in its place, Σ p² would hold Σ Var p, and b
+//   come out smaller by that share, a tenth where a pixel has a dozen steps;
 // - the interval is a delete-a-group jackknife in which a group takes its slice of the seed pass and
 //   its chains along, for a film's bins share samples and (JᵀJ)⁻¹ would know nothing of it.
 // What is left is a bias of the order 1/samples: for study, and as a second opinion on the bridge.
