@@ -15,6 +15,10 @@
 
 namespace wander {
 
+// Mutations that are to join others in a mixture.
+template <class... Mutations>
+struct MutationList {};
+
 template <class... Mutations>
 class Mixture {
  public:
@@ -96,5 +100,15 @@ class Mixture {
   std::array<double, count> weights_;
   std::tuple<Mutations...> mutations_;
 };
+
+// The mixture of all of them, those of the list last.
+template <class Mixed, class List>
+struct JoinedTo;
+template <class... Ms, class... More>
+struct JoinedTo<Mixture<Ms...>, MutationList<More...>> {
+  using type = Mixture<Ms..., More...>;
+};
+template <class Mixed, class List>
+using Joined = typename JoinedTo<Mixed, List>::type;
 
 }  // namespace wander

@@ -12,12 +12,15 @@
 #include "mutations/caustic.h"
 #include "mutations/lens.h"
 #include "mutations/multichain.h"
+#include "mutations/own_mutations.h"
 #include "mutations/primary_large.h"
 #include "mutations/primary_small.h"
 
 namespace wander {
 
-using Family = Mixture<Bidirectional, Lens, Caustic, Multichain, PrimarySmall, PrimaryLarge>;
+using UsualFamily = Mixture<Bidirectional, Lens, Caustic, Multichain, PrimarySmall, PrimaryLarge>;
+// With those that whoever builds the program brings (docs/extending.md, mutations/CMakeLists.txt).
+using Family = Joined<UsualFamily, OwnMutations>;
 
 // The words of --mutations, each once.
 std::vector<std::string_view> mutation_words();
