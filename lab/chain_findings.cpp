@@ -174,6 +174,8 @@ void ChainFindings::normalize(Rendering& r) const {
   }
   if (b[method].effective_samples < fewest_effective_samples)
     r.film.reliable.assign(r.film.reliable.size(), false);
+  if (std::string few = dominated_film(r.film, r.groups); !few.empty())
+    r.warnings.push_back(std::move(few));
   if (method == NormalizationMethod::seed_pass && method != wanted)
     r.warnings.push_back("b is the mean of the seed pass, for the " + std::string(name_of(wanted)) +
                          " estimate failed: " + b[wanted].failure);

@@ -11,6 +11,7 @@
 #include <span>
 
 #include "core/film.h"
+#include "core/film_statistics.h"
 #include "mlt/run/chain_settings.h"
 #include "mlt/run/deposit.h"
 #include "mlt/watch/functional_words.h"
@@ -187,6 +188,18 @@ Disagreement disagreement(const Draws& draws, std::size_t chains_per_group) {
   const boost::math::fisher_f expected(n - 1, n);
   const double p = boost::math::cdf(boost::math::complement(expected, worst));
   return {std::sqrt(worst), std::min(1.0, static_cast<double>(cells_of_ranks) * p)};
+}
+
+std::string dominated_film(const FilmEstimate& film, int groups) {
+  if (groups <= 2 * fewest_film_degrees || !(film.degrees_of_freedom < fewest_film_degrees))
+    return {};
+  return fmt::format(
+      "the error of the film, {} %, rests on {:.0f} of {} groups of chains ({} degrees of "
+      "freedom): "
+      "they have met bright light that the others seldom have, and there may be more of it; where "
+      "pixels are not reliable, trust a larger budget, or other seeds",
+      number_text(100 * relative_error(film), 2), film.degrees_of_freedom + 1, groups,
+      number_text(film.degrees_of_freedom, 2));
 }
 
 std::vector<std::string> warnings(const Evidence& evidence) {

@@ -1,6 +1,7 @@
 #include "python/binding/errors.h"
 
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
 
 #include <string>
 
@@ -18,8 +19,10 @@ namespace nb = nanobind;
 
 namespace {
 
+std::string errors_module;  // of the package that this module is in
+
 nb::object made(const char* name, const std::string& message) {
-  return nb::module_::import_("wanderlight.errors").attr(name)(message);
+  return nb::module_::import_(errors_module.c_str()).attr(name)(message);
 }
 
 void raise(const nb::object& error) { PyErr_SetObject(error.type().ptr(), error.ptr()); }
@@ -90,6 +93,10 @@ void translate(const std::exception_ptr& problem, void*) {
 
 }  // namespace
 
-void translate_errors() { nb::register_exception_translator(translate); }
+void translate_errors(const nb::module_& module) {
+  const auto name = nb::cast<std::string>(module.attr("__name__"));
+  errors_module = name.substr(0, name.rfind('.') + 1) + "errors";
+  nb::register_exception_translator(translate);
+}
 
 }  // namespace wander::python

@@ -1,8 +1,10 @@
-// The program's exceptions as those of wanderlight.errors, with the same messages.
+// The program's exceptions as those of the module `errors` of the package, with the same messages.
 #pragma once
+
+#include <nanobind/nanobind.h>
 
 namespace wander::python {
 
-void translate_errors();
+void translate_errors(const nanobind::module_& module);
 
 }  // namespace wander::python

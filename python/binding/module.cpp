@@ -6,7 +6,7 @@
 NB_MODULE(_wander, module) {
   using namespace wander::python;
   module.doc() = "The engine of Wanderlight; the package wanderlight is how it is used.";
-  translate_errors();
+  translate_errors(module);
   bind_tables(module);
   bind_scene(module);
   bind_record(module);

@@ -9,11 +9,12 @@ step of some chains for ArviZ; `compare` holds methods against each other; `chec
 `Circle`, `Mesh`, `Diffuse` and others. All of it computes the bits of the program `wander`.
 """
 
-from wanderlight import plot
-from wanderlight._wander import version as _version
-from wanderlight.checking import Check, check
-from wanderlight.comparison import Comparison, compare
-from wanderlight.errors import (
+from . import plot
+from ._wander import version as _version
+from .building import BuildError, build
+from .checking import Check, check
+from .comparison import Comparison, compare
+from .errors import (
     FileError,
     Interrupted,
     NoLightFound,
@@ -23,8 +24,8 @@ from wanderlight.errors import (
     UsageError,
     WanderlightError,
 )
-from wanderlight.importing import import_mitsuba
-from wanderlight.parts import (
+from .importing import import_mitsuba
+from .parts import (
     Arc,
     Camera,
     Circle,
@@ -43,16 +44,17 @@ from wanderlight.parts import (
     Texture,
     Triangle,
 )
-from wanderlight.result import Normalization, Result
-from wanderlight.run import Run, begin, merge, open_run, render
-from wanderlight.scene import Scene, gallery, load
-from wanderlight.tables import dials, methods
-from wanderlight.tracing import Replay, replay, trace
+from .result import Normalization, Result
+from .run import Run, begin, merge, open_run, render
+from .scene import Scene, gallery, load
+from .tables import dials, methods
+from .tracing import Replay, replay, trace
 
 __version__: str = _version()
 
 __all__ = [
     "Arc",
+    "BuildError",
     "Camera",
     "Check",
     "Circle",
@@ -85,6 +87,7 @@ __all__ = [
     "UsageError",
     "WanderlightError",
     "begin",
+    "build",
     "check",
     "compare",
     "dials",

@@ -7,10 +7,10 @@ from typing import Any
 
 import pandas as pd
 
-from wanderlight import _wander
-from wanderlight.progress import Bar, Progress
-from wanderlight.scene import SceneLike, load
-from wanderlight.words import Setting, setting_texts
+from . import _wander
+from .progress import Bar, Progress
+from .scene import SceneLike, load
+from .words import Setting, setting_texts
 
 __all__ = ["Check", "check"]
 

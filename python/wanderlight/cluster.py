@@ -6,13 +6,13 @@ import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, NamedTuple, Sequence
 
-from wanderlight import _wander
-from wanderlight.errors import Interrupted, NoLightFound, UsageError
-from wanderlight.progress import Bar, Progress
-from wanderlight.result import Result
-from wanderlight.run import merge
-from wanderlight.scene import Scene, _again
-from wanderlight.words import Budget, budget_text, command_line
+from . import _wander
+from .errors import Interrupted, NoLightFound, UsageError
+from .progress import Bar, Progress
+from .result import Result
+from .run import merge
+from .scene import Scene, _again
+from .words import Budget, budget_text, command_line
 
 if TYPE_CHECKING:
     from distributed import Client

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any, Iterable, Mapping, Sequence, Union
 
 import pandas as pd
 
-from wanderlight import _wander
-from wanderlight.errors import Interrupted
-from wanderlight.progress import Bar, Progress
-from wanderlight.scene import SceneLike, load
-from wanderlight.words import Budget, Setting, budget_text, setting_text
+from . import _wander
+from .errors import Interrupted
+from .progress import Bar, Progress
+from .scene import SceneLike, load
+from .words import Budget, Setting, budget_text, setting_text
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -101,7 +101,7 @@ class Comparison:
         return "\n".join(self.verdict)
 
     def _repr_html_(self) -> str:
-        from wanderlight.view import comparison_html
+        from .view import comparison_html
 
         return comparison_html(self)
 
@@ -179,7 +179,7 @@ def compare(
         read._bound, words, fixed, sweeps, replicates, seed, target, str(folder), overwrite, threads, line
     )
     if client is not None:
-        from wanderlight.cluster import make_turns
+        from .cluster import make_turns
 
         make_turns(client, read, engine, threads or 1, progress)
     with Bar(progress) as bar:

@@ -6,8 +6,8 @@ import warnings
 from pathlib import Path
 from typing import Any, Mapping
 
-from wanderlight import _wander
-from wanderlight.scene import Scene, load
+from . import _wander
+from .scene import Scene, load
 
 __all__ = ["import_mitsuba"]
 

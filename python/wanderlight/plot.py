@@ -14,12 +14,12 @@ from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.patches import Arc as ArcPatch
 
-from wanderlight import _wander
-from wanderlight.scene import SceneLike, load
+from . import _wander
+from .scene import SceneLike, load
 
 if TYPE_CHECKING:
-    from wanderlight.comparison import Comparison
-    from wanderlight.result import Result
+    from .comparison import Comparison
+    from .result import Result
 
 __all__ = ["difference", "errors", "film", "image", "paths", "scene"]
 

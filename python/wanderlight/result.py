@@ -11,8 +11,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from wanderlight import _wander
-from wanderlight.scene import Scene, _again
+from . import _wander
+from .scene import Scene, _again
 
 __all__ = ["Normalization", "Result"]
 
@@ -326,7 +326,7 @@ class Result:
         return self.summary.rstrip()
 
     def _repr_html_(self) -> str:
-        from wanderlight.view import result_html
+        from .view import result_html
 
         return result_html(self)
 

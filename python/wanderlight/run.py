@@ -5,12 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Iterator, Sequence, Union
 
-from wanderlight import _wander
-from wanderlight.errors import Interrupted, UsageError
-from wanderlight.progress import Bar, Progress
-from wanderlight.result import Result
-from wanderlight.scene import Scene, SceneLike, _again, load
-from wanderlight.words import Budget, Setting, budget_text, command_line, setting_texts
+from . import _wander
+from .errors import Interrupted, UsageError
+from .progress import Bar, Progress
+from .result import Result
+from .scene import Scene, SceneLike, _again, load
+from .words import Budget, Setting, budget_text, command_line, setting_texts
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -227,7 +227,7 @@ def render(
     True
     """
     if client is not None:
-        from wanderlight.cluster import render_on
+        from .cluster import render_on
 
         return render_on(client, load(scene), method, budget, seed=seed, threads=threads or 1, runs=runs,
                          progress=progress, dials=setting_texts(dials))

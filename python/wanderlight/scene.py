@@ -9,8 +9,8 @@ from typing import Any, Iterable, Mapping, Union
 
 import pandas as pd
 
-from wanderlight import _wander
-from wanderlight.parts import Camera, Material, Mesh, Shape
+from . import _wander
+from .parts import Camera, Material, Mesh, Shape
 
 __all__ = ["Scene", "SceneLike", "gallery", "load"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pandas as pd
 
-from wanderlight import _wander
+from . import _wander
 
 __all__ = ["dials", "methods"]
 

@@ -7,11 +7,11 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from wanderlight import _wander
-from wanderlight.errors import Interrupted
-from wanderlight.progress import Bar, Progress
-from wanderlight.scene import SceneLike, load
-from wanderlight.words import Setting, command_line, setting_texts
+from . import _wander
+from .errors import Interrupted
+from .progress import Bar, Progress
+from .scene import SceneLike, load
+from .words import Setting, command_line, setting_texts
 
 __all__ = ["Replay", "replay", "trace"]
 

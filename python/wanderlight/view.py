@@ -7,8 +7,8 @@ import html
 from typing import TYPE_CHECKING, Iterable
 
 if TYPE_CHECKING:
-    from wanderlight.comparison import Comparison
-    from wanderlight.result import Result
+    from .comparison import Comparison
+    from .result import Result
 
 __all__ = ["comparison_html", "result_html"]
 

@@ -202,5 +202,23 @@ TEST_F(Warnings, SayWhichClassesFewGroupsMet) {
   EXPECT_TRUE(warnings_of(draws_of({}, 1)).empty());
 }
 
+FilmEstimate film_with(double degrees) {
+  return {
+      .shape = {2}, .value = {1, 3}, .standard_error = {0.3, 0.4}, .degrees_of_freedom = degrees};
+}
+
+TEST(DominatedFilms, SayHowFewGroupsDecide) {
+  const std::string warning = dominated_film(film_with(1.06), 64);
+  EXPECT_NE(warning.find("16 %, rests on 2 of 64 groups of chains (1.1 degrees"), std::string::npos)
+      << warning;
+}
+
+TEST(DominatedFilms, AreNoneWhereGroupsAgreeOrAreFew) {
+  EXPECT_EQ(dominated_film(film_with(fewest_film_degrees), 64), "");
+  EXPECT_EQ(dominated_film(film_with(40), 64), "");
+  EXPECT_EQ(dominated_film(film_with(1.06), 4), "");
+  EXPECT_EQ(dominated_film(film_with(not_known), 64), "");
+}
+
 }  // namespace
 }  // namespace wander::test

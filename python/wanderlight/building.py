@@ -1,0 +1,163 @@
+"""The engine with mutations of one's own."""
+
+from __future__ import annotations
+
+import fcntl
+import hashlib
+import importlib.util
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from types import ModuleType
+
+from ._wander import version as _version
+from .errors import RunError, UsageError
+
+__all__ = ["BuildError", "build"]
+
+_HERE = Path(__file__).resolve().parent
+_NAMED = re.compile(r"struct\s+(\w+)[^;{]*\{(?:(?!struct\b).)*?static\s+constexpr\s+std::string_view\s+name\b", re.S)
+_PACKAGES = "tools/install_dependencies of the sources installs all of it on Debian"
+
+
+class BuildError(RunError):
+    """What is wanted for compiling is missing, or does not compile; the message has the compiler's first error.
+
+    Examples
+    --------
+    >>> import wanderlight as wl
+    >>> issubclass(wl.BuildError, wl.RunError)
+    True
+    """
+
+
+def build(header: str | Path, type: str | None = None, *, jobs: int = 0, folder: str | Path | None = None) -> ModuleType:
+    """Compiles the engine with a mutation of one's own; docs/extending.md says how one is written.
+
+    The first takes some minutes, others half of that: what does not depend on mutations is kept.
+
+    Parameters
+    ----------
+    header : str or Path
+        The file of the mutation.
+    type : str, optional
+        The name of its struct, if the header has several with a ``name``.
+    jobs : int
+        Compilers at a time; 0: one for each core.
+    folder : str or Path, optional
+        Where it is made; usually in the user's cache.
+
+    Returns
+    -------
+    module
+        All that `wanderlight` has, with an engine that knows the mutation: ``own.check(scene, mutations={...})``.
+        ``own.program`` is the path of a `wander` that knows it, too.
+
+    Raises
+    ------
+    BuildError
+        Where a compiler, CMake or a library is missing, or the header does not compile.
+
+    Examples
+    --------
+    >>> import wanderlight as wl
+    >>> own = wl.build("sensor_slide.h")                                                    # doctest: +SKIP
+    >>> own.check("gallery:article-1", mutations={"bidirectional": 1, "sensor_slide": 1})   # doctest: +SKIP
+    """
+    file = Path(header).resolve()
+    if not file.is_file():
+        raise UsageError(f"{header}: there is no such file")
+    text = file.read_text(encoding="utf-8")
+    name = type or _type_in(text, str(header))
+    package = f"wanderlight_{name.lower()}_{hashlib.sha256(text.encode()).hexdigest()[:10]}"
+    if package in sys.modules:
+        return sys.modules[package]
+    place = Path(folder) if folder is not None else _cache()
+    _require_tools()
+    place.mkdir(parents=True, exist_ok=True)
+    # One at a time: what does not depend on the mutation is compiled once for all.
+    with (place / "lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        _compile(file, name, package, place, jobs or os.cpu_count() or 1)
+        home = _packed(package, place)
+    return _loaded(package, home)
+
+
+def _type_in(text: str, shown: str) -> str:
+    names = _NAMED.findall(text)
+    if len(names) != 1:
+        raise UsageError(f"{shown}: it has {len(names)} structs with a `name`; say which by type=")
+    return str(names[0])
+
+
+def _cache() -> Path:
+    base = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
+    return Path(base) / "wanderlight" / f"programs-{_version()}-{sys.implementation.cache_tag}"
+
+
+def _require_tools() -> None:
+    if importlib.util.find_spec("nanobind") is None:
+        raise BuildError("nanobind is missing, which binds the engine: pip install nanobind")
+    for tool, packages in (("cmake", "cmake"), (os.environ.get("CXX", "c++"), "g++")):
+        if shutil.which(tool) is None:
+            raise BuildError(f"{tool} is missing: install {packages}; {_PACKAGES}")
+    if not (_HERE / "source" / "CMakeLists.txt").is_file():
+        raise BuildError("the sources of the engine are not beside the package: install it by pip")
+
+
+def _run(words: list[str], log: Path, what: str) -> None:
+    with log.open("w") as output:
+        done = subprocess.run(words, stdout=output, stderr=subprocess.STDOUT)
+    if done.returncode == 0:
+        return
+    lines = log.read_text(errors="replace").splitlines()
+    first = next((k for k, line in enumerate(lines) if re.search(r"\berror\b", line, re.I)), max(0, len(lines) - 5))
+    raise BuildError(f"{what} failed, see {log}; {_PACKAGES}:\n" + "\n".join(lines[first : first + 6]))
+
+
+def _compile(file: Path, name: str, package: str, place: Path, jobs: int) -> None:
+    made = place / "build"
+    made.mkdir(parents=True, exist_ok=True)
+    generator = ["-G", "Ninja"] if shutil.which("ninja") else []
+    settings = {
+        "CMAKE_BUILD_TYPE": "Release",
+        "CMAKE_UNITY_BUILD": "ON",
+        "WANDER_TESTS": "OFF",
+        "WANDER_BENCHMARKS": "OFF",
+        "WANDER_PYTHON": "ON",
+        "WANDER_PYTHON_DOMAIN": package,
+        "WANDER_OWN_MUTATIONS": f"{file};{name}",
+        "Python_EXECUTABLE": sys.executable,
+    }
+    options = [f"-D{key}={value}" for key, value in settings.items()]
+    source = str(_HERE / "source")
+    _run(["cmake", "-S", source, "-B", str(made), *generator, *options], place / "configure.log", "CMake")
+    targets = ["--target", "_wander", "--target", "wander", "-j", str(jobs)]
+    _run(["cmake", "--build", str(made), *targets], place / "compile.log", f"compiling {file.name}")
+
+
+def _packed(package: str, place: Path) -> Path:
+    """This package under another name and with the other engine, and its program."""
+    home = place / "packages" / package
+    home.mkdir(parents=True, exist_ok=True)
+    engines = (place / "build" / "python" / "wanderlight").glob("_wander*.so")
+    for file in (*_HERE.glob("*.py"), *engines, place / "build" / "bin" / "wander"):
+        shutil.copy(file, home)
+    return home
+
+
+def _loaded(package: str, home: Path) -> ModuleType:
+    spec = importlib.util.spec_from_file_location(package, home / "__init__.py", submodule_search_locations=[str(home)])
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[package] = module
+    try:
+        spec.loader.exec_module(module)
+    except BaseException:
+        del sys.modules[package]
+        raise
+    module.program = home / "wander"  # type: ignore[attr-defined]
+    return module
