@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 using Sources = std::map<std::string, std::string>;
 using Faults = std::vector<std::string>;
 
-const std::vector<std::string> floors{"statistics", "work",    "core", "mlt",  "mutations",
-                                      "scenes",     "records", "lab",  "draw", "tools"};
+const std::vector<std::string> floors{"statistics", "work", "core", "mlt",   "mutations", "scenes",
+                                      "records",    "lab",  "draw", "tools", "python"};
 
 fs::path source_folder() {
 #ifdef WANDER_SOURCE
