@@ -4,6 +4,7 @@
 #include <nanobind/stl/map.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -16,6 +17,7 @@
 #include "lab/scene_source.h"
 #include "python/binding/arrays.h"
 #include "python/binding/bindings.h"
+#include "records/csv.h"
 #include "records/run_files.h"
 #include "records/run_json.h"
 #include "records/tone.h"
@@ -41,6 +43,7 @@ std::string json_of(const BoundRecord& record) {
       .dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
+// Of a run in the plane, whose scene is its text.
 description::Scene scene_of(const BoundRecord& record) {
   return parse_scene(record.run->provenance.scene_text, record.run->provenance.scene_name).scene;
 }
@@ -60,6 +63,20 @@ std::string figure_of(const BoundRecord& record, std::optional<double> width) {
   return figure::image_figure(
       {{record.run->rendering.method, record.run->rendering}},
       {.title = record.run->provenance.scene_name, .value = value_of(*record.run), .width = width});
+}
+
+// What its film is of, and where the bins of a row lie; no files of its scene are asked for.
+nb::typed<nb::dict, nb::str, nb::any> axes_of(const BoundRecord& record) {
+  nb::typed<nb::dict, nb::str, nb::any> axes;
+  if (record.run->provenance.dimension == 2) {
+    const description::Scene scene = scene_of(record);
+    axes["position"] = quantity_of(figure::film_axes(scene).position);
+    axes["value"] = quantity_of(figure::film_axes(scene).value);
+    axes["centers"] = bin_centers(scene);
+  } else {
+    axes["value"] = quantity_of(value_of(*record.run));
+  }
+  return axes;
 }
 
 // ---- films
@@ -127,13 +144,21 @@ void bind_film(nb::module_& module) {
 
 }  // namespace
 
+nb::dict quantity_of(const figure::Quantity& quantity) {
+  nb::dict dict;
+  dict["name"] = quantity.name;
+  dict["unit"] = quantity.unit;
+  return dict;
+}
+
 void write_record(const BoundRecord& record, const std::string& directory, bool replaces,
                   double exposure) {
   Global place;
   place.force = replaces;
   require_replaceable_directory(directory, place, "or say overwrite=True to replace it");
   const OutputDirectory output(directory, place);
-  write_run(*record.run, scene_of(record), output.path(), exposure);
+  const bool is_row = record.run->provenance.dimension == 2;
+  write_run(*record.run, is_row ? scene_of(record) : description::Scene{}, output.path(), exposure);
 }
 
 void bind_record(nb::module_& module) {
@@ -141,6 +166,7 @@ void bind_record(nb::module_& module) {
   nb::class_<BoundRecord>(module, "Record", "What a run computed, and what made it.")
       .def_static("read", &read, nb::arg("path"), "The directory of a run, or a file of it.")
       .def_prop_ro("json", &json_of, "run.json without the numbers of films.")
+      .def("axes", &axes_of, "What its film is of.")
       .def_prop_ro("film", &film_of)
       .def_prop_ro("chains_film", &chains_film_of, "Of the chains alone, where the film is pooled.")
       .def_prop_ro("film_of_samples", &film_of_samples, nb::rv_policy::automatic,

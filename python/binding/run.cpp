@@ -6,7 +6,7 @@
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/unique_ptr.h>
 
-#include <chrono>
+#include <atomic>
 #include <map>
 #include <memory>
 #include <optional>
@@ -27,6 +27,7 @@
 #include "python/binding/record.h"
 #include "python/binding/run_request.h"
 #include "python/binding/scene.h"
+#include "records/run_json.h"
 #include "tools/output_place.h"
 
 namespace wander::python {
@@ -55,12 +56,18 @@ class Rest {
 
 class BoundRun {
  public:
-  explicit BoundRun(RunRequest request, KeptRun from = {})
-      : request_(std::move(request)), from_(std::move(from)) {}
+  explicit BoundRun(RunRequest request) : request_(std::move(request)) {}
+  // From where it was kept.
+  BoundRun(RunRequest request, Checkpoint&& kept, BoundRecord record)
+      : request_(std::move(request)),
+        from_(std::move(kept.run)),
+        budget_(std::move(kept.budget)),
+        record_(std::move(record)) {}
 
   // "complete", "rested" or "interrupted".
   std::string go_on(const std::string& budget, int threads, std::optional<double> rest,
                     nb::object progress) {
+    const Alone alone(is_going_on_);
     Listening listening(std::move(progress));
     Rest resting(rest);
     const Session session{.budget = parse_budget(budget),
@@ -72,11 +79,13 @@ class BoundRun {
                             if (resting.is_due(report)) listening.stop();
                           }};
     budget_ = budget;
+    BoundRecord made;
     try {
-      listening.carry_out([&] { compute(session); });
+      listening.carry_out([&] { made = computed(session); });
     } catch (const NothingComputed&) {
       return "interrupted";
     }
+    record_ = std::move(made);
     if (record_.run->rendering.complete) return "complete";
     return listening.heard_interrupt() ? "interrupted" : "rested";
   }
@@ -88,22 +97,41 @@ class BoundRun {
   }
 
   // With its checkpoint: `wander render --continue` carries it on.
-  void write(const std::string& directory, bool replaces, double exposure) const {
+  void write(const std::string& directory, bool replaces, double exposure) {
+    const Alone alone(is_going_on_);
     write_record(record_, directory, replaces, exposure);
     Checkpoint checkpoint = request_.checkpoint(budget_);
-    checkpoint.run = run_->kept();
+    checkpoint.run = run_ ? run_->kept() : from_;
     const StateWriter state = [&](std::ostream& bytes) { bytes << checkpoint.run.state; };
     write_checkpoint(checkpoint, state, directory);
   }
 
  private:
-  void compute(const Session& session) {
-    if (!run_) run_ = std::make_unique<HeldRun>(request_.job(), session, std::exchange(from_, {}));
+  // Of two threads that want it at once the second is told so.
+  class Alone {
+   public:
+    explicit Alone(std::atomic<bool>& taken) : taken_(taken) {
+      if (taken_.exchange(true))
+        throw UsageError("this run is going on already, in another thread");
+    }
+    ~Alone() { taken_ = false; }
+    Alone(const Alone&) = delete;
+    Alone& operator=(const Alone&) = delete;
+
+   private:
+    std::atomic<bool>& taken_;
+  };
+
+  BoundRecord computed(const Session& session) {
+    if (!run_) {
+      run_ = std::make_unique<HeldRun>(request_.job(), session, from_);
+      from_ = {};
+    }
     Rendering rendering = run_->go_on(session);
     const SceneDocument& document = request_.scene.document;
     add_warnings(rendering, session, document, request_.scene.source);
-    record_.run = std::make_shared<const RunRecord>(
-        RunRecord{std::move(rendering), provenance_of(document, request_.command_line)});
+    return {std::make_shared<const RunRecord>(
+        RunRecord{std::move(rendering), provenance_of(document, request_.command_line)})};
   }
 
   RunRequest request_;
@@ -111,6 +139,7 @@ class BoundRun {
   std::string budget_;
   std::unique_ptr<HeldRun> run_;
   BoundRecord record_;
+  std::atomic<bool> is_going_on_ = false;
 };
 
 // None of a budget of another kind.
@@ -139,8 +168,9 @@ std::tuple<std::unique_ptr<BoundRun>, std::string, std::string> resumed(
                      kept.dials,
                      kept.seed,
                      "wanderlight.open_run"};
-  auto run = std::make_unique<BoundRun>(std::move(request), std::move(kept.run));
-  return {std::move(run), kept.scene_source, kept.budget};
+  const std::string source = kept.scene_source, budget = kept.budget;
+  const BoundRecord record{std::make_shared<const RunRecord>(read_run(directory))};
+  return {std::make_unique<BoundRun>(std::move(request), std::move(kept), record), source, budget};
 }
 
 }  // namespace

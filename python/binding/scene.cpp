@@ -5,11 +5,9 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include "draw/figure/film_series.h"
 #include "draw/figure/scene_figure.h"
 #include "draw/figure/space_figure.h"
 #include "python/binding/bindings.h"
-#include "records/csv.h"
 #include "records/scene_curves.h"
 
 namespace wander::python {
@@ -30,31 +28,6 @@ std::string drawing_of(const BoundScene& scene, double width) {
   const description::Scene& s = scene.document.scene;
   const figure::SceneFigureOptions how{.width = width};
   return s.dimension == 2 ? figure::scene_figure(s, how) : figure::space_figure(s, how);
-}
-
-nb::dict quantity_of(const figure::Quantity& quantity) {
-  nb::dict dict;
-  dict["name"] = quantity.name;
-  dict["unit"] = quantity.unit;
-  return dict;
-}
-
-figure::Quantity value_of(const description::Scene& scene) {
-  if (scene.dimension == 2) return figure::film_axes(scene).value;
-  return scene.camera ? figure::Quantity{"mean radiance", "W/(m²·sr)"}
-                      : figure::Quantity{"mean irradiance", "W/m²"};
-}
-
-// What its film is of: the quantity, its unit, and where the bins of a row lie.
-Table film_axes_of(const BoundScene& scene) {
-  const description::Scene& s = scene.document.scene;
-  Table film;
-  film["value"] = quantity_of(value_of(s));
-  if (s.dimension == 2) {
-    film["position"] = quantity_of(figure::film_axes(s).position);
-    film["centers"] = bin_centers(s);
-  }
-  return film;
 }
 
 // Of a scene of the plane: a row of numbers for each segment, and for each arc.
@@ -93,7 +66,6 @@ void bind_scene(nb::module_& module) {
                    [](const BoundScene& s) { return s.document.scene.max_vertices; })
       .def_prop_ro("warnings",
                    [](const BoundScene& s) { return scene_warnings(s.document, s.source); })
-      .def("film", &film_axes_of, "What its film is of.")
       .def("figure", &drawing_of, nb::arg("width"), "An SVG document, so many points wide.")
       .def("curves", &curves_of, "The geometry of a scene of the plane, as columns.");
 }

@@ -34,7 +34,9 @@ class BuildError(RunError):
     """
 
 
-def build(header: str | Path, type: str | None = None, *, jobs: int = 0, folder: str | Path | None = None) -> ModuleType:
+def build(
+    header: str | Path, type: str | None = None, *, jobs: int = 0, folder: str | Path | None = None
+) -> ModuleType:
     """Compiles the engine with a mutation of one's own; docs/extending.md says how one is written.
 
     The first takes some minutes, others half of that: what does not depend on mutations is kept.

@@ -22,8 +22,6 @@ __all__ = ["budgets_of_runs", "make_turns", "render_on"]
 # What of a run's directory is sent: the rest is made of it, or is a picture.
 _MERGED = ("checkpoint", "run.json")
 _READ = ("run.json", "film.nc")
-# A worker that dies takes its run with it; another makes it anew.
-_TRIES = 5
 
 
 class _Job(NamedTuple):
@@ -81,9 +79,8 @@ def _gather(client: Client, jobs: Sequence[_Job], progress: Progress) -> Iterato
     """The number of each job, and its files or what it raised, as they come."""
     from distributed import as_completed
 
-    futures: dict[Any, int] = {
-        client.submit(_files_of, job, pure=False, retries=_TRIES): number for number, job in enumerate(jobs)
-    }
+    # A worker that dies takes its run with it; Dask has another make it anew.
+    futures: dict[Any, int] = {client.submit(_files_of, job, pure=False): number for number, job in enumerate(jobs)}
     done = 0
     try:
         with Bar(progress) as bar:

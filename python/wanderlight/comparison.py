@@ -173,8 +173,12 @@ def compare(
         "reference": str(reference),
     }
     fixed = [f"{name}={setting_text(value)}" for name, value in (dials or {}).items()]
-    sweeps = [f"{name}=" + "".join(setting_text(value) + ";" for value in values) for name, values in (sweep or {}).items()]
-    line = shlex.join(["wander", "compare", read.source, "-m", words["methods"], "-b", words["budgets"], "-s", str(seed)])
+    sweeps = [
+        f"{name}=" + "".join(setting_text(value) + ";" for value in values) for name, values in (sweep or {}).items()
+    ]
+    line = shlex.join(
+        ["wander", "compare", read.source, "-m", words["methods"], "-b", words["budgets"], "-s", str(seed)]
+    )
     engine = _wander.Comparison(
         read._bound, words, fixed, sweeps, replicates, seed, target, str(folder), overwrite, threads, line
     )

@@ -132,8 +132,8 @@ def film(
         line = reference.film
         ax.step(line.coords["position"], line, where="mid", color=_STYLE["ink"], lw=0.8, label="reference")
     if results:
-        about = results[0].scene._bound.film()
-        ax.set(xlabel=_label(about["position"]), ylabel=_label(about["value"]), title=results[0].scene.name)
+        about = results[0].axes
+        ax.set(xlabel=_label(about["position"]), ylabel=_label(about["value"]), title=results[0].name)
         ax.set_ylim(bottom=min(0.0, float(results[0].film.min())))
     ax.legend()
     return ax
@@ -166,7 +166,7 @@ def image(result: Result, ax: Axes | None = None, *, exposure: float = 0.0) -> A
         raise ValueError("this is a row of bins: plot.film draws it")
     picture = result._record.film.srgb(exposure)
     ax.imshow(picture, cmap="gray" if picture.ndim == 2 else None, vmin=0, vmax=255, interpolation="nearest")
-    ax.set(xticks=[], yticks=[], title=f"{result.scene.name}, {result.method}")
+    ax.set(xticks=[], yticks=[], title=f"{result.name}, {result.method}")
     return ax
 
 
@@ -197,7 +197,7 @@ def difference(result: Result, other: Result, ax: Axes | None = None) -> Axes:
     if z.ndim == 1:
         ax.axhspan(-1.96, 1.96, color="0.9", lw=0)
         ax.step(result.film.coords["position"], z, where="mid", color=_STYLE["ink"], lw=0.8)
-        ax.set(xlabel=_label(result.scene._bound.film()["position"]), ylabel="difference, standard errors")
+        ax.set(xlabel=_label(result.axes["position"]), ylabel="difference, standard errors")
         return ax
     shown = ax.imshow(z if z.ndim == 2 else z.mean(axis=2), cmap="RdBu_r", vmin=-4, vmax=4, interpolation="nearest")
     ax.figure.colorbar(shown, ax=ax, label="difference, standard errors")
@@ -280,7 +280,9 @@ def errors(comparison: Comparison, ax: Axes | None = None) -> Axes:
         value = rows.relative_rmse.astype(float)
         low, high = (rows[f"relative_rmse_{end}"].astype(float).fillna(value) for end in ("low", "high"))
         bars = np.maximum(np.vstack([value - low, high - value]), 0)
-        ax.errorbar(rows.seconds.astype(float), value, yerr=bars, color=colour, marker="o", ms=3, capsize=2, label=label)
+        ax.errorbar(
+            rows.seconds.astype(float), value, yerr=bars, color=colour, marker="o", ms=3, capsize=2, label=label
+        )
     ax.set(xscale="log", yscale="log", xlabel="time, s", ylabel="relative RMSE")
     ax.legend()
     return ax

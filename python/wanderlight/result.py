@@ -74,6 +74,7 @@ class Result:
         self._record = record
         self._scene = scene
         self._json: dict[str, Any] | None = None
+        self._axes: dict[str, Any] | None = None
 
     # ---- what it is of
 
@@ -90,6 +91,11 @@ class Result:
         if self._scene is None:
             self._scene = _again(self.record["scene"]["text"], self.record["scene"]["name"])
         return self._scene
+
+    @property
+    def name(self) -> str:
+        """Of the scene."""
+        return str(self.record["scene"]["name"])
 
     @property
     def method(self) -> str:
@@ -120,6 +126,13 @@ class Result:
     def warnings(self) -> list[str]:
         """What there is to doubt, in words."""
         return list(self.record["warnings"])
+
+    @property
+    def axes(self) -> dict[str, Any]:
+        """What the film is of: ``value`` and, of a row of bins, ``position``, each with ``name`` and ``unit``."""
+        if self._axes is None:
+            self._axes = dict(self._record.axes())
+        return self._axes
 
     # ---- films
 
@@ -311,7 +324,7 @@ class Result:
         self._record.write(str(directory), overwrite, exposure)
 
     def _array(self, numbers: Any, name: str) -> xr.DataArray:
-        about = self.scene._bound.film()
+        about = self.axes
         if numbers.ndim == 1:
             position = xr.Variable(("position",), np.asarray(about["centers"]), _attributes(about["position"]))
             coordinates: dict[str, Any] = {"position": position}

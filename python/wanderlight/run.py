@@ -50,6 +50,7 @@ class Run(Result):
         self._threads = threads
         self._made: _wander.Record | None = None
         self._json = None
+        self._axes = None
 
     @property
     def _record(self) -> _wander.Record:  # type: ignore[override]
@@ -229,8 +230,17 @@ def render(
     if client is not None:
         from .cluster import render_on
 
-        return render_on(client, load(scene), method, budget, seed=seed, threads=threads or 1, runs=runs,
-                         progress=progress, dials=setting_texts(dials))
+        return render_on(
+            client,
+            load(scene),
+            method,
+            budget,
+            seed=seed,
+            threads=threads or 1,
+            runs=runs,
+            progress=progress,
+            dials=setting_texts(dials),
+        )
     return begin(scene, method, budget, seed=seed, threads=threads, **dials).advance(progress=progress)
 
 

@@ -35,7 +35,7 @@ def _verdict(result: Result) -> str:
     reliable = int(result.reliable.sum())
     ended = "" if result.complete else " <b>Incomplete.</b>"
     return (
-        f"<b>{html.escape(result.method)}</b> on <b>{html.escape(result.scene.name)}</b>: {result.samples:,} samples in "
+        f"<b>{html.escape(result.method)}</b> on <b>{html.escape(result.name)}</b>: {result.samples:,} samples in "
         f"{result.seconds:.3g} s, {said}, {reliable:,} of {result.reliable.size:,} numbers reliable.{ended}"
     )
 

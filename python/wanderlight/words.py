@@ -30,9 +30,7 @@ def setting_text(value: Setting) -> str:
 
 def setting_texts(settings: Mapping[str, Setting]) -> dict[str, str]:
     """The dials that are turned; None and False leave one as usual."""
-    return {
-        name: setting_text(value) for name, value in settings.items() if value is not None and value is not False
-    }
+    return {name: setting_text(value) for name, value in settings.items() if value is not None and value is not False}
 
 
 def command_line(words: Iterable[Any], settings: Mapping[str, str]) -> str:

@@ -106,6 +106,26 @@ def test_a_saved_run_goes_on_in_the_program_and_in_python(wander, tmp_path):
     assert same_films(here, wl.open_run(tmp_path / "run"))
 
 
+def test_scenes_with_meshes_are_saved_merged_and_opened(tmp_path):
+    for seed in (1, 2):
+        wl.render("gallery:bidir-room", "bdpt", "5k", seed=seed).save(tmp_path / str(seed))
+    both = wl.merge([tmp_path / "1", tmp_path / "2"])
+    assert both.film.shape == (96, 128, 3)
+    both.save(tmp_path / "both")
+    assert same_films(both, wl.open_run(tmp_path / "both"))
+    assert wl.open_run(tmp_path / "1").advance("8k").samples == 8000
+    (tmp_path / "1" / "checkpoint").unlink()
+    assert wl.open_run(tmp_path / "1").film.attrs["units"] == "W/(m²·sr)"
+
+
+def test_a_run_that_was_opened_is_saved_as_it_is(tmp_path):
+    wl.render("gallery:slit", "mlt", "50k").save(tmp_path / "one")
+    wl.open_run(tmp_path / "one").save(tmp_path / "two")
+    assert same_films(
+        wl.open_run(tmp_path / "two").advance("70k"), wl.render("gallery:slit", "mlt", "50k").advance("70k")
+    )
+
+
 def test_merged_runs(wander, tmp_path):
     for seed in (1, 2, 3):
         wl.render("gallery:slit", "mlt", "20k", seed=seed).save(tmp_path / str(seed))

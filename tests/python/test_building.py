@@ -17,7 +17,10 @@ def test_a_file_that_is_not_there():
         wl.build("no_such_mutation.h")
 
 
-@pytest.mark.parametrize("text, count", [("struct A { double x; };", 0), ("struct A { static constexpr std::string_view name = \"a\"; };\n" * 2, 2)])
+@pytest.mark.parametrize(
+    "text, count",
+    [("struct A { double x; };", 0), ('struct A { static constexpr std::string_view name = "a"; };\n' * 2, 2)],
+)
 def test_which_mutation_is_meant(tmp_path, text, count):
     (tmp_path / "own.h").write_text(text)
     with pytest.raises(wl.UsageError, match=f"it has {count} structs"):

@@ -35,7 +35,11 @@ except wl.Interrupted as stopped:
     [
         ('render("gallery:slit", "mlt", "1000G", progress=stop)', "0 < run.samples < 10**12", "Run True"),
         ('render("gallery:slit", "bdpt", "3h", progress=stop)', "run.film.mean().item() > 0", "Run True"),
-        ('trace("gallery:slit", steps=10_000_000, chains=1, progress=stop)', 'run["posterior"].sizes["draw"] > 0', "True"),
+        (
+            'trace("gallery:slit", steps=10_000_000, chains=1, progress=stop)',
+            'run["posterior"].sizes["draw"] > 0',
+            "True",
+        ),
     ],
 )
 def test_ctrl_c_keeps_what_was_computed(call, what, said):
@@ -61,6 +65,21 @@ def test_the_lock_is_released():
         beats += 1
     thread.join()
     assert beats > 5  # one, if the lock were held
+
+
+def test_a_run_goes_on_in_one_thread_at_a_time():
+    run = wl.begin("gallery:slit", "bdpt", "1s")
+    refused = []
+
+    def also(*what):
+        try:
+            run.advance()
+        except wl.UsageError as error:
+            refused.append(str(error))
+
+    run.advance(progress=also)
+    assert refused and "going on already" in refused[0]
+    assert run.complete
 
 
 def test_progress_is_told_in_order():

@@ -22,7 +22,9 @@ LONG = {"own-mutation"}
 )
 def test_a_notebook_runs(file):
     notebook = nbformat.read(file, as_version=4)
-    nbclient.NotebookClient(notebook, timeout=900 if file.stem in LONG else 120, resources={"metadata": {"path": str(FOLDER)}}).execute()
+    nbclient.NotebookClient(
+        notebook, timeout=900 if file.stem in LONG else 120, resources={"metadata": {"path": str(FOLDER)}}
+    ).execute()
 
 
 @pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
