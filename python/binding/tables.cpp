@@ -6,6 +6,7 @@
 #include "draw/figure/style.h"
 #include "lab/dials.h"
 #include "lab/method.h"
+#include "lab/parsing.h"
 #include "python/binding/bindings.h"
 #include "records/version.h"
 #include "scenes/gallery_scenes.h"
@@ -78,7 +79,27 @@ Row style_table() {
 
 }  // namespace
 
+// Numbers as the command line takes them: one range for each, and one message.
+void bind_numbers(nb::module_& module) {
+  module.def(
+      "seed_of", [](const std::string& text) { return parse_seed(text); }, nb::arg("text"));
+  module.def(
+      "threads_of", [](const std::string& text) { return text == "0" ? 0 : parse_threads(text); },
+      nb::arg("text"), "0: all cores.");
+  module.def(
+      "count_of",
+      [](const std::string& what, const std::string& text, std::uint64_t low, std::uint64_t high) {
+        return parse_count(what, text, low, high);
+      },
+      nb::arg("what"), nb::arg("text"), nb::arg("low"), nb::arg("high"));
+  module.def(
+      "share_of",
+      [](const std::string& what, const std::string& text) { return parse_share(what, text); },
+      nb::arg("what"), nb::arg("text"));
+}
+
 void bind_tables(nb::module_& module) {
+  bind_numbers(module);
   module.def("version", &program_version, "Of the program.");
   module.def("methods", &method_table, "Rows of name, summary, is_markov_chain and dials.");
   module.def("dials", &dial_table, "Rows of name, value and help.");

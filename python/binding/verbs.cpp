@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "lab/failure.h"
 #include "lab/merge.h"
 #include "lab/scene_source.h"
 #include "python/binding/bindings.h"
@@ -50,6 +51,7 @@ std::pair<std::string, std::string> check_of(const BoundScene& scene, const Text
 // ---- runs of different seeds
 
 BoundRecord merged(const std::vector<std::string>& directories, int threads) {
+  if (directories.empty()) throw UsageError("merge takes at least one run");
   std::vector<MergePart> parts;
   for (const std::string& directory : directories) parts.push_back(read_part(directory));
   require_mergeable(parts);

@@ -10,7 +10,7 @@ import pandas as pd
 from . import _wander
 from .progress import Bar, Progress
 from .scene import SceneLike, load
-from .words import Setting, setting_texts
+from .words import Setting, counted, seeded, setting_texts
 
 __all__ = ["Check", "check"]
 
@@ -83,6 +83,8 @@ def check(
     >>> wl.check("gallery:furnace", samples=2000).table.loc["mixture", "verdict"]
     'passed'
     """
+    seed, threads = seeded(seed, threads)
+    samples = counted("samples", samples)
     with Bar(progress) as bar:
         data, text = _wander.check(load(scene)._bound, setting_texts(dials), samples, seed, threads, bar.listener)
     return Check(json.loads(data), text)

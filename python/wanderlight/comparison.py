@@ -14,7 +14,7 @@ from . import _wander
 from .errors import Interrupted
 from .progress import Bar, Progress
 from .scene import SceneLike, load
-from .words import Budget, Setting, budget_text, setting_text
+from .words import Budget, Setting, budget_text, counted, seeded, setting_text
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -164,6 +164,9 @@ def compare(
     >>> wl.compare("gallery:furnace", ["pt", "bdpt"], ["2k"], replicates=2).contenders
     ['pt', 'bdpt']
     """
+    seed, threads = seeded(seed, threads)
+    replicates = counted("replicates", replicates, 2, 10_000)
+    target = None if target is None else _wander.share_of("target", repr(target))
     kept = tempfile.TemporaryDirectory(prefix="wanderlight-") if out is None else None
     folder = Path(kept.name if kept else str(out))
     read = load(scene)

@@ -10,7 +10,7 @@ from .errors import Interrupted, UsageError
 from .progress import Bar, Progress
 from .result import Result
 from .scene import Scene, SceneLike, _again, load
-from .words import Budget, Setting, budget_text, command_line, setting_texts
+from .words import Budget, Setting, budget_text, command_line, counted, seeded, setting_texts
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -161,6 +161,7 @@ def begin(
     >>> wl.begin("gallery:furnace", "bdpt", "20k").advance().samples
     20000
     """
+    seed, threads = seeded(seed, threads)
     read = load(scene)
     settings = setting_texts(dials)
     text = budget_text(budget)
@@ -229,6 +230,9 @@ def render(
     """
     if client is not None:
         from .cluster import render_on
+
+        seed, threads = seeded(seed, threads)
+        runs = counted("runs", runs)
 
         return render_on(
             client,

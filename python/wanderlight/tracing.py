@@ -11,7 +11,7 @@ from . import _wander
 from .errors import Interrupted
 from .progress import Bar, Progress
 from .scene import SceneLike, load
-from .words import Setting, command_line, setting_texts
+from .words import Setting, command_line, counted, seeded, setting_texts
 
 __all__ = ["Replay", "replay", "trace"]
 
@@ -73,6 +73,8 @@ def trace(
     """
     import arviz
 
+    seed, threads = seeded(seed, threads)
+    steps, every, chains = counted("steps", steps), counted("every", every), counted("chains", chains)
     read = load(scene)
     settings = setting_texts(dials)
     first, end = window if window is not None else (0, steps)
@@ -151,5 +153,7 @@ def replay(scene: SceneLike, chain: int, step: int, *, seed: int = 1, threads: i
     >>> print(str(wl.replay("gallery:slit", chain=0, step=17)).splitlines()[0])
     chain 0, step 17: primary_large, rejected: zero_contribution
     """
+    seed, threads = seeded(seed, threads)
+    chain, step = counted("chain", chain, 0), counted("step", step, 0)
     data, text = _wander.replay(load(scene)._bound, setting_texts(dials), seed, threads, chain, step)
     return Replay(json.loads(data), text)

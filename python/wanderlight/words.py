@@ -5,11 +5,25 @@ from __future__ import annotations
 import shlex
 from typing import Any, Iterable, Mapping, Union
 
-__all__ = ["Budget", "Setting", "budget_text", "command_line", "setting_texts"]
+from . import _wander
+
+__all__ = ["Budget", "Setting", "budget_text", "command_line", "counted", "seeded", "setting_texts"]
+
+_MOST = 1 << 53
 
 # A number of samples, or "2M", "30s", "30cpu-s", "error<1%".
 Budget = Union[int, float, str]
 Setting = Union[str, float, int, bool, Mapping[str, float], None]
+
+
+def seeded(seed: int, threads: int) -> tuple[int, int]:
+    """Both as the command line takes them."""
+    return _wander.seed_of(str(seed)), _wander.threads_of(str(threads))
+
+
+def counted(what: str, number: int, low: int = 1, high: int = _MOST) -> int:
+    """A whole number within its range."""
+    return _wander.count_of(what, str(number), low, high)
 
 
 def budget_text(budget: Budget) -> str:

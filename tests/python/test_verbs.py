@@ -136,6 +136,27 @@ def test_what_renders_refuse(tmp_path):
     assert wl.open_run(tmp_path / "run").samples == 2000
 
 
+@pytest.mark.parametrize(
+    "ask, said",
+    [
+        (lambda: wl.render("gallery:slit", "bdpt", 1000, seed=-1), "-1"),
+        (lambda: wl.render("gallery:slit", "bdpt", 1000, seed=1.5), "1.5"),
+        (lambda: wl.render("gallery:slit", "bdpt", 1000, threads=-2), "-2"),
+        (lambda: wl.check("gallery:furnace", samples=0), "samples"),
+        (lambda: wl.trace("gallery:slit", chains=0), "chains"),
+        (lambda: wl.trace("gallery:slit", steps=-3), "steps"),
+        (lambda: wl.replay("gallery:slit", chain=10**6, step=0), "chain"),
+        (lambda: wl.compare("gallery:furnace", budgets=["1k"], replicates=1), "replicates"),
+        (lambda: wl.compare("gallery:furnace", budgets=["1k"], target=2.0), "target"),
+        (lambda: wl.compare("gallery:furnace", [], ["1k"]), "method"),
+        (lambda: wl.merge([]), "at least one"),
+    ],
+)
+def test_numbers_have_the_ranges_of_the_command_line(ask, said):
+    with pytest.raises(wl.UsageError, match=said):
+        ask()
+
+
 def test_nothing_computed_yet():
     run = wl.begin("gallery:slit", "mlt", "10k")
     assert "nothing computed" in repr(run)
