@@ -16,6 +16,8 @@ SCRIPT = """
 import os, signal, sys
 import wanderlight as wl
 
+signal.signal(signal.SIGINT, signal.default_int_handler)  # which a shell in the background ignores
+
 def stop(fraction, samples, seconds, phase):
     if phase == "sampling" and not stop.done:
         stop.done = True
