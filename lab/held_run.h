@@ -1,7 +1,7 @@
 // A run that is held in memory, and goes on as often as it is asked: for a caller who looks at what
 // has come out, and then wants more.
 //
-//   HeldRun run(job, seed);
+//   HeldRun run(job, session);
 //   Rendering some = run.go_on(session);   // to its budget, or until it is interrupted
 //   Rendering more = run.go_on(session);   // from there
 //

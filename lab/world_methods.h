@@ -146,6 +146,7 @@ class RunInWorld final : public WorldRun {
   Rendering go_on(const Session& session, const Keeper& keeper) override {
     session_ = session;
     execution_.emplace(session_);  // where the run knows it
+    const Farewell farewell{session_};
     if (!unstarted_.empty()) begin(std::exchange(unstarted_, {}));
     Keeper both = keeper;
     both.keep = [&](const Headway& headway, const StateWriter& state) {
@@ -168,6 +169,15 @@ class RunInWorld final : public WorldRun {
   }
 
  private:
+  // Who asked for this much need not be there any more when it is over.
+  struct Farewell {
+    Session& session;
+    ~Farewell() {
+      session.interrupted = nullptr;
+      session.report = nullptr;
+    }
+  };
+
   void begin(const std::string& state) {
     run_ = methods_.make();
     load(*run_, state,
