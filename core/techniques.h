@@ -113,6 +113,22 @@ Scaled survival(const Space& space, const Path<W>& x, std::span<const double> we
   return all * Scaled(sum);
 }
 
+// weigh() product by product: where a walk from the sensor could not have come, as by a material that
+// scatters one way only, p_{s+1} / p_s is no number.
+template <class Space, class W>
+void weigh_by_products(const Space& space, Path<W>& x) {
+  const int n = x.size();
+  auto& weights = x.weights();
+  Scaled sum;
+  for (int s = 0; s <= n; ++s)
+    if (can_sample(space, x, s, all_techniques)) sum += technique_density(x, s);
+  for (int s = 0; s <= n; ++s)
+    weights[static_cast<std::size_t>(s)] =
+        can_sample(space, x, s, all_techniques) ? (technique_density(x, s) / sum).value() : 0;
+  x.intensity = sum;
+  x.intensity_under_roulette = sum * survival(space, x, weights);
+}
+
 // Writes f(x), the intensity Σ_s p_{s,t}(x) over the techniques of a sampler that gives each the
 // same chance, without roulette and under it, and the balance weights w_s = p_{s,t} / Σ, s = 0…n,
 // into the path.
@@ -123,6 +139,7 @@ void weigh(const Space& space, Path<W>& x) {
   auto& weights = x.weights();  // until the sum is known, the ratios p_{s+1} / p_s
   weights.resize(static_cast<std::size_t>(n) + 1);
   const Scaled first = technique_density(x, 0);
+  if (first.is_zero()) return weigh_by_products(space, x);
   Scaled p = first, sum;
   for (int s = 0; s < n; ++s) {
     if (can_sample(space, x, s, all_techniques)) sum += p;

@@ -146,6 +146,9 @@ Eigen::MatrixXd transition_matrix(const Graph& graph, const StateSpace& states,
   Eigen::MatrixXd p = Eigen::MatrixXd::Zero(states.size(), states.size());
   for_each_step(graph, states, kernel,
                 [&](int x, const Step<Pointland>& step, const Enumeration& choices) {
+                  // All numbers of a graph are moderate.
+                  if (step.reason == Reason::not_finite)
+                    throw std::logic_error("a step comes to what is no number");
                   const bool proposed = std::holds_alternative<Proposal>(step.outcome);
                   const double a = proposed ? accept(step) : 0;
                   if (a > 0) p(x, states.index_of(step.proposed)) += choices.probability() * a;
