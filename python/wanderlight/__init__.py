@@ -12,6 +12,7 @@ step of some chains for ArviZ; `compare` holds methods against each other; `chec
 from . import plot
 from ._wander import version as _version
 from .building import BuildError, build
+from .camera import Camera
 from .checking import Check, check
 from .comparison import Comparison, compare
 from .errors import (
@@ -25,28 +26,11 @@ from .errors import (
     WanderlightError,
 )
 from .importing import import_mitsuba
-from .parts import (
-    Arc,
-    Camera,
-    Circle,
-    Conductor,
-    Dielectric,
-    Diffuse,
-    Mesh,
-    Mirror,
-    Parallelogram,
-    Polyline,
-    RoughConductor,
-    RoughDielectric,
-    Segment,
-    Shape,
-    Sphere,
-    Texture,
-    Triangle,
-)
+from .materials import Conductor, Dielectric, Diffuse, Mirror, RoughConductor, RoughDielectric, Texture
 from .result import Normalization, Result
 from .run import Run, begin, merge, open_run, render
 from .scene import Scene, gallery, load
+from .shapes import Arc, Circle, Mesh, Parallelogram, Polyline, Segment, Shape, Sphere, Triangle
 from .tables import dials, methods
 from .tracing import Replay, replay, trace
 

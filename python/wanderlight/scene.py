@@ -10,7 +10,9 @@ from typing import Any, Iterable, Mapping, Union
 import pandas as pd
 
 from . import _wander
-from .parts import Camera, Material, Mesh, Shape
+from .camera import Camera
+from .materials import Material
+from .shapes import Mesh, Shape
 
 __all__ = ["Scene", "SceneLike", "gallery", "load"]
 
