@@ -48,11 +48,7 @@ def lacks(thing) -> str:
 
 @pytest.mark.parametrize("where, thing", [p for p in public_things() if p[1].__module__.startswith("wanderlight")])
 def test_public_names_are_documented_with_an_example(where, thing):
-    if (
-        where.startswith("wanderlight.words.")
-        or where.startswith("wanderlight.view.")
-        or where.startswith("wanderlight.progress.")
-    ):
+    if where.startswith(tuple(f"wanderlight.{name}." for name in ("_fields", "words", "view", "progress"))):
         assert inspect.getdoc(thing)  # of use within the package alone
         return
     if where.startswith("wanderlight.cluster.") or where.endswith(".begin"):
