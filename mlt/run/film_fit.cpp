@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "mlt/run/coarse_films.h"
 #include "mlt/run/solver_log.h"
 #include "work/parallel.h"
 
@@ -247,38 +248,9 @@ double noise_of_shape(std::span<const FilmFitGroup> groups, std::span<const int>
   return noise / squares;
 }
 
-// Pairs of bins that lie side by side along an axis, as one; the last may be alone.
-Film paired(const Film& film, int extent, std::size_t stride) {
-  const auto in = static_cast<std::size_t>(extent), out = (in + 1) / 2;
-  Film sums(film.size() / in * out);
-  for (std::size_t j = 0; j < film.size(); ++j) {
-    const std::size_t outer = j / (stride * in), at = j / stride % in, inner = j % stride;
-    sums[(outer * out + at / 2) * stride + inner] += film[j];
-  }
-  return sums;
-}
-
-// Films of the same groups on fewer bins.
-struct Coarse {
-  std::vector<FilmFitGroup> groups;
-  std::vector<int> shape;
-
-  void halve() {
-    std::size_t stride = 1;
-    for (std::size_t axis = shape.size(); axis-- > 0;) {
-      for (FilmFitGroup& group : groups) {
-        group.found = paired(group.found, shape[axis], stride);
-        group.deposits = paired(group.deposits, shape[axis], stride);
-      }
-      shape[axis] = (shape[axis] + 1) / 2;
-      stride *= static_cast<std::size_t>(shape[axis]);
-    }
-  }
-};
-
 // As few bins as it takes for the chains to know them, and no fewer than `fewest_bins`.
-Coarse coarsened(std::span<const FilmFitGroup> groups, std::span<const int> shape) {
-  Coarse coarse{{groups.begin(), groups.end()}, {shape.begin(), shape.end()}};
+CoarseFilms coarsened(std::span<const FilmFitGroup> groups, std::span<const int> shape) {
+  CoarseFilms coarse{{groups.begin(), groups.end()}, {shape.begin(), shape.end()}};
   while (coarse.groups.front().found.size() >= 2 * fewest_bins &&
          noise_of_shape(coarse.groups, coarse.shape) > most_noise)
     coarse.halve();
@@ -294,6 +266,7 @@ FilmFit fit_films(std::span<const FilmFitGroup> fine_groups, std::span<const int
     return fit;
   }
   const auto [groups, shape] = coarsened(fine_groups, fine_shape);
+  fit.bins = groups.front().found.size();
   const Films films(groups, shape);
   const Film shape_variance = films.variance_of_shape();
   Half even(films, 0, shape_variance), odd(films, 1, shape_variance);
@@ -304,8 +277,7 @@ FilmFit fit_films(std::span<const FilmFitGroup> fine_groups, std::span<const int
     return fit;
   }
   fit.b = (first->b + second->b) / 2;
-  fit.chi2_per_degree =
-      (first->chi2 + second->chi2) / static_cast<double>(2 * (groups.front().found.size() - 1));
+  fit.chi2_per_degree = (first->chi2 + second->chi2) / static_cast<double>(2 * (fit.bins - 1));
   fit.without.resize(groups.size());
   in_parallel(groups.size(),
               [&](std::size_t g) { fit.without[g] = (even.without(g) + odd.without(g)) / 2; });

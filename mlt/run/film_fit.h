@@ -29,6 +29,7 @@ struct FilmFitGroup {
 struct FilmFit {
   double b = 0;
   std::vector<double> without;  // b from all groups but one
+  std::size_t bins = 0;         // that were compared: fewer than there are where chains know little
   double chi2_per_degree = 0;   // of the residuals, as if bins were independent
   std::string failure;          // why there is no b; empty if there is
 };

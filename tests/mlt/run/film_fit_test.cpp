@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/rng.h"
+#include "mlt/run/coarse_films.h"
 #include "statistics/jackknife.h"
 #include "tests/support/expect.h"
 #include "tests/support/statistics.h"
@@ -195,6 +196,49 @@ TEST(FilmFit, FewStepsOnManyBinsAreTakenTogether) {
   ASSERT_TRUE(fit.failure.empty()) << fit.failure;
   EXPECT_LT(jackknife_error(fit.without), 0.005 * b);
   EXPECT_NEAR(fit.b, b, 6.5 * jackknife_error(fit.without));
+  EXPECT_LT(fit.bins, many);
+}
+
+// Where chains know each bin to a hundredth, Σ Var p / Σ p² is 1e-4.
+TEST(FilmFit, BinsThatChainsKnowAreComparedEachAlone) {
+  constexpr std::size_t many = 96;
+  Rng random(8, Purpose::test, 72);
+  std::vector<FilmFitGroup> data;
+  for (std::size_t g = 0; g < groups; ++g) {
+    FilmFitGroup group{{}, 100, {}};
+    for (std::size_t j = 0; j < many; ++j) {
+      group.found.push_back(shape(j) * std::exp(0.3 * normal(random)));
+      group.deposits.push_back(shape(j) * (1 + 0.01 * std::sqrt(groups) * normal(random)));
+    }
+    data.push_back(group);
+  }
+  EXPECT_EQ(fit_films(data, std::array{static_cast<int>(many)}).bins, many);
+}
+
+// 3 × 5 bins of 1, 2, 4 … become 2 × 3, each of which is a sum of powers that no other has.
+TEST(FilmFit, BinsTakenTogetherHoldAllThatWasInThem) {
+  FilmFitGroup group{{}, 1, {}};
+  for (int j = 0; j < 15; ++j) {
+    group.found.push_back(std::ldexp(1, j));
+    group.deposits.push_back(std::ldexp(1, 20 - j));
+  }
+  CoarseFilms films{{group}, {3, 5}};
+  films.halve();
+  EXPECT_EQ(films.shape, (std::vector<int>{2, 3}));
+  const auto sum = [](std::initializer_list<int> from, auto value) {
+    double total = 0;
+    for (const int j : from) total += value(j);
+    return total;
+  };
+  const auto found = [](int j) { return std::ldexp(1, j); };
+  const auto deposits = [](int j) { return std::ldexp(1, 20 - j); };
+  const std::vector<std::initializer_list<int>> parts{{0, 1, 5, 6}, {2, 3, 7, 8}, {4, 9},
+                                                      {10, 11},     {12, 13},     {14}};
+  ASSERT_EQ(films.groups[0].found.size(), parts.size());
+  for (std::size_t j = 0; j < parts.size(); ++j) {
+    EXPECT_EQ(films.groups[0].found[j], sum(parts[j], found));
+    EXPECT_EQ(films.groups[0].deposits[j], sum(parts[j], deposits));
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <list>
 #include <numeric>
@@ -137,6 +138,51 @@ TEST(ConstantsAlarm, NamesTheClassThatTheChainsMissed) {
             std::string::npos);
   b.bridge.failure = "none";
   EXPECT_EQ(disagreement_of_constants(groups.findings(), b), "");
+}
+
+// Of the seed pass alone, by hand: 10 samples with Σ = 6 and Σ² = 20, of which 5 and 13 are of four
+// vertices.
+TEST(NormalizationOfATally, IsTheMeanWithItsError) {
+  SeedTally tally(4);
+  tally.samples = 10;
+  tally.total += 6, tally.total_squares += 20;
+  tally.sum[2] += 5, tally.squares[2] += 13;
+  const Normalization b = normalization(tally);
+  EXPECT_DOUBLE_EQ(b.value, 0.6);
+  EXPECT_DOUBLE_EQ(b.standard_error, std::sqrt((2 - 0.36) / 9));
+  EXPECT_EQ(b.estimates.at("seed_pass").degrees_of_freedom, 9);
+  EXPECT_EQ(b.estimates.at("seed_pass").samples, 10u);
+  ASSERT_EQ(b.by_length.size(), 1u);
+  EXPECT_EQ(b.by_length[0].vertices, 4);
+  EXPECT_DOUBLE_EQ(b.by_length[0].value, 0.5);
+  EXPECT_DOUBLE_EQ(b.by_length[0].standard_error, std::sqrt((1.3 - 0.25) / 9));
+}
+
+// What a group counts more, all that is said of it counts more, and nothing else of it changes.
+TEST(GroupFindings, WeighAllThatTheySay) {
+  Groups groups;
+  groups.add(2, 3, 1);
+  const GroupFindings one = groups.findings()[0], twice = one.weighing(2);
+  EXPECT_EQ(weights_of(std::array{one, twice}), (std::vector<double>{1, 2}));
+  EXPECT_EQ(twice.scale, 2 * one.scale);
+  EXPECT_EQ(twice.states[0].weight, 2 * one.states[0].weight);
+  EXPECT_EQ(twice.states[0].ratios, one.states[0].ratios);
+  for (std::size_t c = 0; c < 2; ++c) EXPECT_EQ(twice.classes[c].light, 2 * one.classes[c].light);
+  EXPECT_EQ(twice.seeds, one.seeds);
+  EXPECT_EQ(twice.film, one.film);
+}
+
+// Exactly from four standard errors of both together.
+TEST(ConstantsAlarm, IsOfMoreThanFourStandardErrors) {
+  Groups groups;
+  for (int g = 0; g < 32; ++g) groups.add(4 + g % 2, 1, 3);
+  Constants b = constants(groups.findings());
+  b.seed_pass.b.standard_error = 0.03;
+  for (const double side : {-1.0, 1.0})
+    for (const double errors : {3.99, 4.01}) {
+      b.bridge.b = {b.seed_pass.b.value + side * errors * 0.05, 0.04};
+      EXPECT_EQ(disagreement_of_constants(groups.findings(), b).empty(), errors < 4);
+    }
 }
 
 // Each method in a run: what the record says is the mean of the film, and lengths sum to it.

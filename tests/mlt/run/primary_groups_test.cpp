@@ -85,6 +85,8 @@ TEST_P(PrimaryRooms, SeedsAreMadeAgainFromTheirNumbersBitForBit) {
     for (const double place : {0.0, 0.3, std::nextafter(1.0, 0.0)}) {
       const PrimaryNumbers numbers = single.coordinates_of(paths.numbers(seed, splats.layout()),
                                                            splats.layout(), seed.technique, place);
+      const double cell = numbers[0] * single.techniques() - seed.technique;
+      EXPECT_TRUE(std::abs(cell - place) < 1e-9 || place > 0.9) << cell;
       ASSERT_TRUE(path_chain.start(single, numbers));
       EXPECT_EQ(path_chain.current().technique, seed.technique);
       EXPECT_EQ(path_chain.current().total, single.techniques() * seed.weight);

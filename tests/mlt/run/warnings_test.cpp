@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <cmath>
 
 #include "core/rng.h"
@@ -85,6 +87,41 @@ TEST(Disagreement, IsUnknownOfWhatTellsNothing) {
   EXPECT_EQ(disagreement({}, chains_per_group).p_value, 1);
   EXPECT_EQ(disagreement({8, 100, std::vector<double>(800, 0.1)}, chains_per_group).p_value, 1);
   EXPECT_EQ(disagreement({4, 1, {1, 2, 3, 4}}, 1).p_value, 1);
+}
+
+// By the definition, slowly: the cell of a draw by the mean rank of all that are equal to it; F of a
+// cell is the variance between groups over that within, each of a group's mean of its two halves.
+TEST(Disagreement, IsTheWorstOfTheRatiosOfVariances) {
+  constexpr int groups = 6, cells = 16;
+  Draws draws{groups * chains_per_group, 50, {}};
+  Rng random(3, Purpose::test, 9);
+  for (std::size_t i = 0; i < draws.chains * draws.length; ++i)
+    draws.values.push_back(std::floor(random.uniform() * 40) + static_cast<double>(i / 300));
+  const auto all = static_cast<double>(draws.values.size());
+  double counts[cells][groups][2] = {};
+  for (std::size_t i = 0; i < draws.values.size(); ++i) {
+    const double below = static_cast<double>(
+        std::ranges::count_if(draws.values, [&](double v) { return v < draws.values[i]; }));
+    const double equal = static_cast<double>(std::ranges::count(draws.values, draws.values[i]));
+    const double rank = below + (equal - 1) / 2;  // from 0
+    const auto cell = static_cast<std::size_t>(cells * rank / all);
+    ++counts[cell][i / (draws.length * chains_per_group)][i % draws.length / (draws.length / 2)];
+  }
+  double worst = 0;
+  for (const auto& cell : counts) {
+    double mean = 0, between = 0, within = 0;
+    for (const auto& group : cell) mean += (group[0] + group[1]) / 2 / groups;
+    for (const auto& group : cell) {
+      between += std::pow((group[0] + group[1]) / 2 - mean, 2) / (groups - 1);
+      within += std::pow((group[0] - group[1]) / 2, 2) / groups;
+    }
+    worst = std::max(worst, between / within);
+  }
+  const Disagreement found = disagreement(draws, chains_per_group);
+  EXPECT_NEAR(found.ratio, std::sqrt(worst), 1e-12 * found.ratio);
+  const boost::math::fisher_f expected(groups - 1, groups);
+  const double p = boost::math::cdf(boost::math::complement(expected, worst));
+  EXPECT_NEAR(found.p_value, std::min(1.0, cells * p), 1e-12);
 }
 
 // ---- the words
