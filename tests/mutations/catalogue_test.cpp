@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {
@@ -46,6 +50,56 @@ TEST(Catalogue, WhatIsSetIsNotScaled) {
 TEST(Catalogue, WordsShareTheirWeightAsTheirMutationsSay) {
   const Family family = make_family({{{"primary", 2}}, 0.25, 1}, 6);
   EXPECT_EQ(family.weights(), (std::array<double, 6>{0, 0, 0, 0, 2 * 0.75, 2 * 0.25}));
+}
+
+// Each mutation that a scene can use, once; primary steps share a word and its weight.
+TEST(Catalogue, ChoosesWhatASceneCanUse) {
+  Requirements scene;
+  scene.scatters = true;
+  scene.max_vertices = 6;
+  const auto words = [](const MutationChoice& choice) {
+    std::vector<std::pair<std::string, double>> all;
+    for (const MutationWeight& each : choice.weights) all.push_back({each.word, each.weight});
+    return all;
+  };
+  using Words = std::vector<std::pair<std::string, double>>;
+  const MutationChoice diffuse = choose_mutations(scene);
+  EXPECT_EQ(diffuse.taken,
+            (std::vector<std::string>{"bidirectional", "lens", "primary_small", "primary_large"}));
+  EXPECT_EQ(words(diffuse),
+            (Words{{"bidirectional", 0.5}, {"lens", 1}, {"primary", primary_auto_weight}}));
+  ASSERT_EQ(diffuse.left_out.size(), 2u);
+  EXPECT_NE(diffuse.left_out.at("caustic").find("no smooth or rough mirror"), std::string::npos);
+  EXPECT_NE(diffuse.left_out.at("multichain").find("no path has a specular"), std::string::npos);
+
+  scene.specular = scene.caustic_paths_possible = true;
+  const MutationChoice all = choose_mutations(scene);
+  EXPECT_EQ(all.taken.size(), UsualFamily::count);
+  EXPECT_EQ(words(all), (Words{{"bidirectional", 0.5},
+                               {"lens", 1},
+                               {"caustic", 1},
+                               {"multichain", 1},
+                               {"primary", primary_auto_weight}}));
+  EXPECT_TRUE(all.left_out.empty());
+  scene.max_vertices = 3;
+  EXPECT_EQ(choose_mutations(scene).left_out.count("multichain"), 1u);
+}
+
+TEST(Catalogue, AFamilyOfASceneWeighsWhatIsChosenAndMovesAsUsual) {
+  Requirements scene;
+  scene.scatters = true;
+  scene.max_vertices = 6;
+  const Family family = make_family({}, scene);
+  const double small = (1 - default_large_step) * primary_auto_weight;
+  const std::array<double, 6> expected{0.5, 1,     0,
+                                       0,   small, default_large_step * primary_auto_weight};
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    EXPECT_DOUBLE_EQ(family.weights()[i], expected[i]);
+  EXPECT_EQ(member<Lens>(family).range.angle.largest, PerturbationRange{}.angle.largest);
+  EXPECT_EQ(member<Lens>(family).range.position.smallest, PerturbationRange{}.position.smallest);
+  // Weights that are said are not chosen anew.
+  EXPECT_EQ(make_family({{{"caustic", 3}}}, scene).weights(),
+            (std::array<double, 6>{0, 0, 3, 0, 0, 0}));
 }
 
 }  // namespace

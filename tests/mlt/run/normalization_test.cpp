@@ -158,6 +158,17 @@ TEST(NormalizationOfATally, IsTheMeanWithItsError) {
   EXPECT_DOUBLE_EQ(b.by_length[0].standard_error, std::sqrt((1.3 - 0.25) / 9));
 }
 
+// (Σ x)² / Σ x², in whatever unit.
+TEST(SeedTallies, KnowHowManySamplesCarryThem) {
+  for (const double unit : {1e-3, 1.0, 1e3}) {
+    SeedTally tally(2);
+    tally.samples = 10;
+    tally.total += 6 * unit, tally.total_squares += 20 * unit * unit;
+    EXPECT_NEAR(tally.effective_samples(), 1.8, 1e-12);
+  }
+  EXPECT_EQ(SeedTally(2).effective_samples(), 0);
+}
+
 // What a group counts more, all that is said of it counts more, and nothing else of it changes.
 TEST(GroupFindings, WeighAllThatTheySay) {
   Groups groups;
