@@ -17,4 +17,7 @@ double visible_sum(double squares, double largest, double threshold);
 // so many of those that are equal are rejected.
 double visible_difference(double standard_error, double degrees, double false_alarm);
 
+// The same where errors are known: of |z| above the threshold.
+double visible_normal(double standard_error, double threshold);
+
 }  // namespace wander

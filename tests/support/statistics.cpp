@@ -9,15 +9,21 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "statistics/median.h"
+#include "statistics/visible_error.h"
+
 namespace wander::test {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The two-sided decision that all tests on Student's distribution share.
-Decision student_decision(std::string test, double t, double degrees, double false_alarm) {
+// The two-sided decision that all tests on Student's distribution share, of a difference with this
+// standard error and relative to `level`.
+Decision student_decision(std::string test, double t, double degrees, double error, double level,
+                          double false_alarm) {
   Decision d{.test = std::move(test), .statistic = t, .false_alarm = false_alarm};
+  d.visible = visible_difference(error, degrees, false_alarm) / std::abs(level);
   d.threshold = student_threshold(false_alarm, degrees);
   d.p_value = student_two_sided_p(t, degrees);
   d.passed = std::abs(t) <= d.threshold;
@@ -62,6 +68,7 @@ Decision z_test(double estimate, double standard_error, double exact, double fal
   d.statistic = standardized(estimate - exact, standard_error);
   d.threshold = sidak_threshold(false_alarm, 1);
   d.p_value = normal_two_sided_p(d.statistic);
+  d.visible = visible_normal(standard_error, d.threshold) / std::abs(exact);
   // An infinite error would turn every deviation into z = 0.
   d.passed = std::isfinite(standard_error) && std::abs(d.statistic) <= d.threshold;
   std::ostringstream text;
@@ -78,21 +85,27 @@ Decision t_test(const Moments& sample, double exact, double false_alarm) {
   if (sample.count() < 2) throw std::invalid_argument("a t test needs two values");
   const double t = standardized(sample.mean() - exact, sample.standard_error());
   return student_decision("t test of one mean", t, static_cast<double>(sample.count() - 1),
-                          false_alarm);
+                          sample.standard_error(), exact, false_alarm);
 }
 
 Decision paired_t_test(std::span<const double> a, std::span<const double> b, double false_alarm) {
   require_family(a.size(), b.size());
-  Moments differences;
-  for (std::size_t i = 0; i < a.size(); ++i) differences.add(a[i] - b[i]);
-  Decision d = t_test(differences, 0, false_alarm);
-  d.test = "paired t test";
-  return d;
+  Moments differences, level;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    differences.add(a[i] - b[i]);
+    level.add(b[i]);
+  }
+  if (differences.count() < 2) throw std::invalid_argument("a paired test needs two pairs");
+  const auto degrees = static_cast<double>(differences.count() - 1);
+  const double error = differences.standard_error();
+  return student_decision("paired t test", standardized(differences.mean(), error), degrees, error,
+                          level.mean(), false_alarm);
 }
 
 Decision welch_test(const Moments& a, const Moments& b, double false_alarm) {
   const Welch w = welch(measurement(a), measurement(b));
-  return student_decision("Welch test of two means", w.t, w.degrees, false_alarm);
+  const double error = std::hypot(a.standard_error(), b.standard_error());
+  return student_decision("Welch test of two means", w.t, w.degrees, error, b.mean(), false_alarm);
 }
 
 double welch_p_value(const Moments& a, const Moments& b) {
@@ -110,6 +123,11 @@ Decision bins_z_test(std::span<const Moments> bins, std::span<const double> exac
     z[i] = std::isfinite(error) ? standardized(bins[i].mean() - exact[i], error) : infinity;
   }
   Decision d = largest_z_test(z, false_alarm);
+  std::vector<double> visible;
+  for (std::size_t i = 0; i < bins.size(); ++i)
+    if (exact[i] != 0 && bins[i].standard_error() > 0)
+      visible.push_back(visible_normal(bins[i].standard_error(), d.threshold) / std::abs(exact[i]));
+  d.visible = median(visible);
   std::ostringstream text;
   text << "there " << bins[d.worst].mean() << " ± " << bins[d.worst].standard_error() << ", exact "
        << exact[d.worst];
@@ -152,6 +170,8 @@ Decision binomial_test(std::uint64_t successes, std::uint64_t trials, double pro
   d.threshold = probability;
   d.p_value = std::min(1.0, 2 * std::min(below, above));
   d.passed = d.p_value >= false_alarm;
+  const double error = std::sqrt(probability * (1 - probability) / static_cast<double>(trials));
+  d.visible = visible_normal(error, sidak_threshold(false_alarm, 1)) / probability;
   const ConfidenceInterval interval = binomial_interval(successes, trials, 1 - false_alarm);
   std::ostringstream text;
   text << successes << " of " << trials << ", interval [" << interval.low << ", " << interval.high

@@ -1,11 +1,13 @@
 // Pearson's χ² over cells, with pooling of the thin ones.
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <cmath>
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
 
+#include "statistics/visible_error.h"
 #include "tests/support/statistics.h"
 
 namespace wander::test {
@@ -50,6 +52,14 @@ std::string impossible_cell(std::span<const double> observed, std::span<const do
   return {};
 }
 
+// If the cells held more and less by turns, by this share of what is expected: Pearson's sum would have
+// the noncentrality N share².
+double visible_share(std::span<const double> expected, double degrees, double threshold) {
+  const double all = std::accumulate(expected.begin(), expected.end(), 0.0);
+  using Law = boost::math::non_central_chi_squared;
+  return std::sqrt(Law::find_non_centrality(degrees, threshold, 1 - power_of_visible) / all);
+}
+
 }  // namespace
 
 Decision chi_square_test(std::span<const double> observed, std::span<const double> expected,
@@ -71,6 +81,7 @@ Decision chi_square_test(std::span<const double> observed, std::span<const doubl
   d.threshold = boost::math::quantile(boost::math::complement(distribution, false_alarm));
   d.p_value = boost::math::cdf(boost::math::complement(distribution, d.statistic));
   d.passed = d.statistic <= d.threshold;
+  d.visible = visible_share(expected, distribution.degrees_of_freedom(), d.threshold);
   d.comparisons = pools.size();
   d.worst = worst->cell;
   std::ostringstream text;
