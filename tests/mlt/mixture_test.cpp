@@ -16,8 +16,6 @@ namespace wander::test {
 
 namespace {
 
-constexpr double rounding = 1e-13;
-
 // Draws the last vertex anew.  It cannot act on a path of two vertices, and is the more eager the
 // longer the path and the higher its last node: its selection changes with every move.
 struct OtherSensor {

@@ -11,8 +11,6 @@
 namespace wander::test {
 namespace {
 
-constexpr double rounding = 1e-13;
-
 // Draws one end anew; cannot act on paths of two vertices.  Each is eager elsewhere, so the
 // selection differs at both ends of nearly every move.
 enum class End { light, sensor };
@@ -185,6 +183,29 @@ TEST_P(PointlandFamily, LargeStepsThatLearnedProposeWithTheDensitiesThatTheyClai
   for (int i = 0; i < states_.size(); ++i)
     EXPECT_NEAR(sampled[static_cast<std::size_t>(i)],
                 claimed_density(graph_, large, states_[i]).value(), rounding);
+}
+
+// A quarter of q is even, the rest as the light was found: of lengths, and of techniques where any was.
+TEST_P(PointlandFamily, LargeStepsTakeLengthsAndTechniquesAsTheirLightWasFound) {
+  const SeedTally seeds = findings(graph_.max_vertices(), 1);
+  PrimaryLarge large(graph_.max_vertices());
+  large.learn(seeds);
+  for (int i = 0; i < states_.size(); ++i) {
+    PointPath z = states_[i];
+    weigh(graph_, z);
+    const int n = z.size();
+    const double lengths = graph_.max_vertices() - 1;
+    const double of_length =
+        0.25 / lengths +
+        0.75 * seeds.sum[static_cast<std::size_t>(n) - 2].value() / seeds.total.value();
+    double all = 0, q = 0;
+    for (const double share : seeds.techniques.row(n)) all += share;
+    ASSERT_GT(all, 0);
+    for (std::size_t s = 0; s < z.weights().size(); ++s)
+      q += (0.25 / (n + 1) + 0.75 * seeds.techniques.row(n)[s] / all) * z.weights()[s];
+    const double expected = of_length * q * z.intensity.value();
+    EXPECT_NEAR(claimed_density(graph_, large, z).value(), expected, rounding * expected);
+  }
 }
 
 // Positive control: samples by what it learned, and claims for paths of one length that all

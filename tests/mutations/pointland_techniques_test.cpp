@@ -14,8 +14,6 @@ namespace wander::test {
 
 namespace {
 
-constexpr double rounding = 1e-13;
-
 // The graphs where no density is zero unless f is: there every technique that can sample a path
 // does.
 std::vector<GraphPlan> plans_of(int max_vertices) {

@@ -15,7 +15,6 @@ namespace wander::test {
 
 namespace {
 
-constexpr double rounding = 1e-13;
 using BidirectionalKernel = Mixture<Bidirectional>;
 
 class Pointlands : public ::testing::TestWithParam<GraphPlan> {

@@ -15,6 +15,9 @@
 
 namespace wander::test {
 
+// What is exact but for rounding is within.
+inline constexpr double rounding = 1e-13;
+
 // A source of choices instead of random numbers.  Each run replays the choices that led to the last
 // outcome up to one that still has an alternative, and takes the next (depth first).  A pmf that
 // does not sum to one is an error at once.

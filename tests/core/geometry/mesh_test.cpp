@@ -96,6 +96,27 @@ TEST(ClosedMeshes, AreNotMetByWhatLeavesThem) {
 }
 
 // Sheets that share corners, as the walls of a room do.
+// Whichever axis a ray runs along: the two others follow it in their order, and a triangle is met where
+// its plane is.
+TEST(ShearedRays, MeetTrianglesAlongEveryAxis) {
+  using SpaceRay = Ray<Spaceland>;
+  const Vec<3, double> directions[] = {{1, 0.2, -0.3}, {-0.3, 1, 0.2},  {0.2, -0.3, 1},
+                                       {-1, 0.2, 0.3}, {0.3, -1, -0.2}, {-0.2, 0.3, -1}};
+  for (const auto& d : directions) {
+    const ShearedRay<Spaceland> ray(SpaceRay{{0.1, 0.2, 0.3}, d});
+    EXPECT_EQ(std::abs(d[ray.z]), 1);
+    EXPECT_EQ(ray.x, (ray.z + 1) % 3);
+    EXPECT_EQ(ray.y, (ray.z + 2) % 3);
+    // In a plane across the ray, two directions away.
+    const Vec<3, double> target = ray.origin + 2.0 * d;
+    const Vec<3, double> u = glm::cross(d, Vec<3, double>(0.4, 0.5, 0.6)), v = glm::cross(d, u);
+    const Triangle<Spaceland> around(target - u - v, target + 2.0 * u - v, target + 2.0 * v);
+    const Triangle<Spaceland> beside(target + u, target + 2.0 * u, target + 2.0 * u + v);
+    EXPECT_NEAR(around.intersect(ray, Element<Spaceland>(0)), 2, 1e-14);
+    EXPECT_TRUE(std::isinf(beside.intersect(ray, Element<Spaceland>(0))));
+  }
+}
+
 TEST(Parallelograms, LetNoLightOutWhereTheyShareCorners) {
   const Point o(0), x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
   const std::vector<Shape<W>> room{Parallelogram<W>(o, x, y), Parallelogram<W>(z, y, x),

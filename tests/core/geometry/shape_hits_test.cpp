@@ -180,6 +180,19 @@ TEST(Arcs, HaveTheirEndsInTheFirstAndTheLastBin) {
   EXPECT_LT(parameter_at(0.4 + 1.5 + 1e-12), 1);
 }
 
+// Points in the gap of an arc that is open by ten degrees belong to the end that is nearer.
+TEST(Arcs, AreContinuedFromTheEndThatIsNearer) {
+  const double degree = turn / 360;
+  const Arc<Flatland> arc({0, 0}, 1, 0.4, 350 * degree, Arc<Flatland>::Facing::outward);
+  const auto parameter_at = [&](double beyond) {
+    const double angle = 0.4 - beyond * degree;
+    return arc.parameter({std::cos(angle), std::sin(angle)})[0];
+  };
+  EXPECT_EQ(parameter_at(3), 0);
+  EXPECT_GT(parameter_at(7), 0.999);
+  EXPECT_LT(parameter_at(7), 1);
+}
+
 TEST(Spheres, HaveTheAreaOfTheirDiametersCylinder) {
   const Sphere<Spaceland> sphere({1, 2, 3}, 0.5, Sphere<Spaceland>::Facing::outward);
   EXPECT_DOUBLE_EQ(sphere.measure(), std::numbers::pi);

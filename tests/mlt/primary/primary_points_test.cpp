@@ -14,7 +14,6 @@
 namespace wander::test {
 namespace {
 
-constexpr double rounding = 1e-13;
 constexpr int grid = 4;  // numbers are (k + 1/2) / grid
 
 double point(int k) { return (k + 0.5) / grid; }

@@ -123,6 +123,16 @@ TEST(Bridge, LeavesOutEachGroupAsIfItHadNotBeen) {
   EXPECT_LT(farthest, 0.3 * std::sqrt(squares / groups));
 }
 
+// Where all paths that are found are alike, b is a share of the samples: of N, so many found, N p / (1 - p)
+// events would tell as much, known from 32 groups to a quarter; false alarms 1e-9 within six of those.
+TEST(Bridge, KnowsHowManyEventsWouldTellAsMuch) {
+  const Model model{.found = 0.05, .sigma = 0.01};
+  const BridgeFit fit = bridge(simulate(model, 6).data());
+  const double expected = model.samples * model.found / (1 - model.found);
+  EXPECT_GT(fit.effective_samples, expected / 2.5);
+  EXPECT_LT(fit.effective_samples, expected * 2.5);
+}
+
 TEST(Bridge, SaysWhyThereIsNoConstant) {
   Sides dark = simulate({}, 5), still = dark;
   for (auto& side : dark.found) side = {};

@@ -167,6 +167,12 @@ TEST(SeedTallies, KnowHowManySamplesCarryThem) {
     EXPECT_NEAR(tally.effective_samples(), 1.8, 1e-12);
   }
   EXPECT_EQ(SeedTally(2).effective_samples(), 0);
+  SeedTally one(2);
+  EXPECT_EQ(one.mean(2), 0);
+  one.samples = 1;
+  one.sum[0] += 3, one.total += 3;
+  EXPECT_EQ(one.mean(2), 3);
+  EXPECT_EQ(one.mean(), 3);
 }
 
 // What a group counts more, all that is said of it counts more, and nothing else of it changes.

@@ -29,6 +29,11 @@ Path<W> path_of(const std::string& letters) {
   return x;
 }
 
+TEST(Features, OfNothingAreDark) {
+  EXPECT_TRUE(Features{}.is_dark());
+  EXPECT_FALSE((Features{.vertices = 2}).is_dark());
+}
+
 TEST(PathClass, IsANumberThatNamesItself) {
   const std::string longest = "L" + std::string(31, 'S') + std::string(32, 'D') + "E";
   for (const std::string& letters :
