@@ -198,5 +198,48 @@ INSTANTIATE_TEST_SUITE_P(Rooms, InverseMap,
                            return name;
                          });
 
+// ---- lobes
+
+// Where a step comes from a wall to glass, light is reflected there with Fresnel's probability: the
+// number that chooses has no past.  The path that is proposed may fail farther on; that is decided later.
+TEST(SmallSteps, ThatComeToGlassChooseTheirLobeAnew) {
+  const FlatScene scene = build(mirror_and_glass());
+  const Transport<Flatland> space(*scene, Roulette::off);
+  PathSampler<Transport<Flatland>> sampler(space, all_techniques, Heuristic::balance);
+  const PrimarySmall small{Kelemen{1.0 / 64, 0.4}};
+  Path<Flatland> y(space.max_vertices());
+  double reflected = 0, expected = 0, variance = 0;
+  const auto look_at = [&](const Path<Flatland>& x, Rng& random) {
+    y.resize(x.size());
+    for (int i = 0; i < y.size(); ++i) y[i].place.shape = no_shape;  // nobody has been here
+    small.propose(space, x, y, random);
+    for (int i = 1; i + 1 < x.size(); ++i) {
+      const Vertex<Flatland>& v = y[i];
+      if (x[i].event != Event::scattering || space.chooses_lobe(x[i])) continue;
+      if (v.event != Event::reflection && v.event != Event::transmission) continue;
+      if (v.place.shape == no_shape || y[i - 1].place.shape == no_shape ||
+          y[i + 1].place.shape == no_shape || !space.chooses_lobe(v))
+        continue;
+      const double cosine = glm::dot(v.place.normal, v.place.to_sensor);
+      const bool outside = cosine > 0;
+      const double f = fresnel(std::abs(cosine), outside ? 1.0 : 1.5, outside ? 1.5 : 1.0);
+      reflected += v.event == Event::reflection ? 1 : 0;
+      expected += f;
+      variance += f * (1 - f);
+    }
+  };
+  for (std::uint64_t i = 0; i < 20'000; ++i) {
+    Rng random(1, Purpose::test, 31);
+    random.start(i);
+    sampler.sample(random, [&](const Path<Flatland>& x, int, double) {
+      Rng step(1, Purpose::test, 32);
+      step.start(i);
+      look_at(x, step);
+    });
+  }
+  EXPECT_GT(variance, 100);
+  EXPECT_TRUE(passes(z_test(reflected, std::sqrt(variance), expected, usual_false_alarm)));
+}
+
 }  // namespace
 }  // namespace wander::test::primary_test

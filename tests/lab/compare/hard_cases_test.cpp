@@ -177,6 +177,11 @@ TEST(Verdict, WarnsOfAReferenceThatIsNoBetter) {
   Generator random(12);
   EXPECT_SAYS(summarize(made_runs({.reference_error = 0.05}, two, random)).cautions,
               "is not small against the least that is measured");
+  // Of squares: a fifth of the least error is a twenty-fifth of its square, less than a tenth.
+  const MadeScene better{.bins = 64, .seconds = {1}, .reference_error = 0.02};
+  for (const std::string& caution :
+       summarize(made_runs(better, {{"a", 0.1}, {"b", 0.2}}, random)).cautions)
+    EXPECT_EQ(caution.find("is not small against"), std::string::npos) << caution;
 }
 
 TEST(Verdict, WarnsOfReplicatesThatDisagree) {

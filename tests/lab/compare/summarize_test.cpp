@@ -46,6 +46,23 @@ TEST(Summarize, ErrorsByHand) {
   EXPECT_NEAR(c.errors.at(1).mean, 1.4, 1e-12);
 }
 
+// The mean of two: t of one degree of freedom. The median of twelve: from the third to the tenth, for
+// 2 P(Bin(12, 1/2) <= 2) = 0.039 and 2 P(Bin(12, 1/2) <= 3) = 0.146.
+TEST(Summarize, IntervalsByHand) {
+  const Comparison two = summarize(runs_of({{1.1, 2}, {1, 1.8}}, made_film({1, 2}, 0)));
+  const Measured& mean = two.cells.at(0).relative_error_of_mean;
+  const double reach = 12.7062047 * (0.05 + 0.1) / 1.5 / 2;
+  EXPECT_NEAR(mean.interval.low, mean.value - reach, 1e-6);
+  EXPECT_NEAR(mean.interval.high, mean.value + reach, 1e-6);
+  std::vector<std::vector<double>> films;
+  for (const int r : {7, 3, 12, 1, 9, 5, 11, 2, 8, 4, 10, 6}) films.push_back({1 + 0.01 * r, 2});
+  const Measured median =
+      summarize(runs_of(films, made_film({1, 2}, 0))).cells.at(0).median_relative_rmse;
+  EXPECT_NEAR(median.value, 0.065 / std::sqrt(5), 1e-12);
+  EXPECT_NEAR(median.interval.low, 0.03 / std::sqrt(5), 1e-12);
+  EXPECT_NEAR(median.interval.high, 0.10 / std::sqrt(5), 1e-12);
+}
+
 TEST(Summarize, TheErrorOfTheReferenceIsSubtracted) {
   const FilmEstimate reference = made_film({1, 2}, 0.05);
   const Comparison c = summarize(runs_of({{1.1, 2}, {1, 1.8}}, reference));

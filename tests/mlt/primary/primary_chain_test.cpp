@@ -79,6 +79,30 @@ Walked walk(AtTheEnds rule) {
   return walked;
 }
 
+// However little a splat carries, its share is its own.
+TEST(SampleSplats, ShareAllThatTheSampleCarries) {
+  SampleSplats<Flatland> sample(4);
+  const std::vector<double> weights{1, 1e-9, 3, 0.01};
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    Splat<Flatland> splat;
+    splat.features.vertices = 2 + static_cast<int>(k);
+    splat.features.bin = static_cast<int>(10 * k);
+    splat.weight = weights[k];
+    sample.splats.push_back(splat);
+    sample.total += weights[k];
+  }
+  std::size_t next = 0;
+  sample.for_each_share([&](int vertices, int bin, double share, const auto&) {
+    ASSERT_LT(next, weights.size());
+    EXPECT_EQ(vertices, 2 + static_cast<int>(next));
+    EXPECT_EQ(bin, 10 * static_cast<int>(next));
+    EXPECT_DOUBLE_EQ(share, weights[next++] / sample.total);
+  });
+  EXPECT_EQ(next, weights.size());
+  EXPECT_EQ(sample.brightest().vertices, 4);
+  EXPECT_TRUE(SampleSplats<Flatland>(4).brightest().is_dark());
+}
+
 TEST(PrimaryChain, KeepsTheNumbersOfAConstantTargetUniform) {
   const Walked walked = walk(AtTheEnds::wrap);
   for (const auto* values : {&walked.first, &walked.second, &walked.last})

@@ -8,6 +8,7 @@
 #include <list>
 #include <numeric>
 
+#include "core/rng.h"
 #include "lab/render.h"
 #include "mlt/run/normalized_film.h"
 #include "mutations/catalogue.h"
@@ -123,6 +124,61 @@ TEST(Constants, SharesOfLengthsSumToB) {
   EXPECT_GT(record.by_length[0].standard_error, 0);
 }
 
+// Groups of two strata, as of `mmlt`; `strata` of them are shown.
+class StrataOfGroups {
+ public:
+  explicit StrataOfGroups(int groups) {
+    Rng random(1, Purpose::test, 73);
+    for (int g = 0; g < groups; ++g) {
+      Held& group = held_.emplace_back();
+      group.tally.samples = 100;
+      for (std::size_t k = 0; k < 2; ++k)
+        for (int i = 0; i < 30; ++i) {
+          group.evidence.ratios[k].add(std::exp(static_cast<double>(k) + 2 * random.uniform()));
+          group.states[k].add(std::exp(static_cast<double>(k) + 0.5 + 2 * random.uniform()));
+        }
+    }
+  }
+  Constant bridge_of(std::size_t first, std::size_t end) {
+    std::vector<GroupFindings> findings;
+    std::list<SeedEvidence> kept;
+    for (Held& group : held_) {
+      SeedEvidence& evidence = kept.emplace_back(static_cast<int>(end - first), 1);
+      std::vector<StateRatios> states;
+      for (std::size_t k = first; k < end; ++k) {
+        evidence.ratios[k - first] = group.evidence.ratios[k];
+        states.push_back({&group.states[k], 1.0});
+      }
+      findings.push_back(
+          {&group.tally, &group.tally, &evidence, &group.film, {}, 1.0, std::move(states), {}});
+    }
+    return constants(findings).bridge;
+  }
+
+ private:
+  struct Held {
+    SeedTally tally{3};
+    SeedEvidence evidence{2, 1};
+    GroupFilm film{1, 3};
+    std::array<RatioHistogram, 2> states;
+  };
+  std::list<Held> held_;
+};
+
+// b of all is the sum over strata, and so it is without each group.
+TEST(Constants, OfStrataAreSumsWithoutEachGroupToo) {
+  StrataOfGroups groups(8);
+  const Constant first = groups.bridge_of(0, 1), second = groups.bridge_of(1, 2),
+                 both = groups.bridge_of(0, 2);
+  ASSERT_TRUE(both.failure.empty()) << both.failure;
+  EXPECT_DOUBLE_EQ(both.b.value, first.b.value + second.b.value);
+  EXPECT_DOUBLE_EQ(both.effective_samples, first.effective_samples + second.effective_samples);
+  for (std::size_t g = 0; g < 8; ++g) {
+    EXPECT_DOUBLE_EQ(both.without[g], first.without[g] + second.without[g]);
+    EXPECT_NE(second.without[g], second.b.value);
+  }
+}
+
 TEST(ConstantsAlarm, NamesTheClassThatTheChainsMissed) {
   Groups groups;
   for (int g = 0; g < 32; ++g) groups.add(4 + g % 2, 1, 3);
@@ -138,6 +194,20 @@ TEST(ConstantsAlarm, NamesTheClassThatTheChainsMissed) {
             std::string::npos);
   b.bridge.failure = "none";
   EXPECT_EQ(disagreement_of_constants(groups.findings(), b), "");
+}
+
+// Deposits are light only with the constant of their group: 1 · (3, 1) and 4 · (1, 1) are 7 : 5.
+TEST(Constants, SharesOfLengthsKnowTheScaleOfEachGroup) {
+  Groups groups;
+  groups.add(2, 3, 1);
+  groups.add(3, 1, 1);
+  std::vector<GroupFindings> findings(groups.findings().begin(), groups.findings().end());
+  findings[1].scale = 4;
+  const Normalization record =
+      normalization(findings, constants(findings), NormalizationMethod::bridge);
+  ASSERT_EQ(record.by_length.size(), 2u);
+  EXPECT_NEAR(record.by_length[0].value, record.value * 7 / 12, 1e-12);
+  EXPECT_NEAR(record.by_length[1].value, record.value * 5 / 12, 1e-12);
 }
 
 // Of the seed pass alone, by hand: 10 samples with Σ = 6 and Σ² = 20, of which 5 and 13 are of four

@@ -95,6 +95,13 @@ TEST(LargeFilm, IsTheMeanOfItsFilmsWithTheErrorOfAMean) {
   EXPECT_TRUE(film.reliable[0]);
 }
 
+// What groups share is one film of which the error knows.
+TEST(LargeFilm, HasTheDegreesOfItsFilmsHoweverManyGroupsShareThem) {
+  const SharedFilms films = films_of(20, 64);
+  ASSERT_EQ(films.count(), 16);
+  EXPECT_EQ(mean_film({&films, 1}, {20}).degrees_of_freedom, 15);
+}
+
 // Two runs of 16 films are as one of 32; one whose groups count twice is heard twice.
 TEST(LargeFilm, OfTwoRunsIsThatOfAllTheirFilms) {
   const SharedFilms one = made(10, 1), other = made(10, 0);

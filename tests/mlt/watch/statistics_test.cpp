@@ -34,6 +34,11 @@ TEST(Features, OfNothingAreDark) {
   EXPECT_FALSE((Features{.vertices = 2}).is_dark());
 }
 
+TEST(Features, ThatAreApartOnBothAxesOfAnImageJumpByBoth) {
+  EXPECT_DOUBLE_EQ(squared_jump({.film = {0.1, 0.2}}, {.film = {0.4, 0.6}}), 0.25);
+  EXPECT_DOUBLE_EQ(squared_jump({.film = {0.5, 0.9}}, {.film = {0.5, 0.4}}), 0.25);
+}
+
 TEST(PathClass, IsANumberThatNamesItself) {
   const std::string longest = "L" + std::string(31, 'S') + std::string(32, 'D') + "E";
   for (const std::string& letters :
@@ -175,6 +180,29 @@ TEST_P(Statistics, AreThoseOfARecount) {
     expect_equal(records[acted++], recounts[m]);
   }
   EXPECT_EQ(acted, records.size());
+}
+
+// Steps that are refused take time, too: of one that is measured as often as another, so much for each.
+TEST(StatisticsOfTime, CountEveryStep) {
+  constexpr std::array<std::string_view, 2> names{"refused", "accepted"};
+  MutationStatistics statistics(names, 1, 8);
+  RejectionRuns runs(2);
+  for (std::uint64_t i = 0; i < 20'000; ++i) {
+    const int mutation = i % 2000 < 1000 ? 0 : 1;
+    statistics.timed(i, [&] {
+      Observation seen;
+      seen.mutation = mutation;
+      seen.reason = mutation == 0 ? Reason::occluded : Reason::none;
+      seen.current.vertices = 2;
+      statistics.observe(seen, runs);
+      return mutation;
+    });
+  }
+  const std::vector<MutationRecord> records = statistics.records();
+  ASSERT_EQ(records.size(), 2u);
+  EXPECT_EQ(records[0].accepted, 0u);
+  EXPECT_EQ(records[1].accepted, 10'000u);
+  for (const MutationRecord& record : records) EXPECT_GT(record.seconds, 0);
 }
 
 // Classes beyond the table are counted, though not by name; long paths share the last length.
