@@ -7,6 +7,7 @@
 
 #include "core/film_statistics.h"
 #include "lab/engine.h"
+#include "records/film_layers.h"
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {
@@ -96,6 +97,28 @@ TEST_P(LargeFilms, DoNotDependOnTheThreads) {
   EXPECT_EQ(one.film.value, three.film.value);
   EXPECT_EQ(one.film.standard_error, three.film.standard_error);
   EXPECT_EQ(one.film.by_length, three.film.by_length);
+}
+
+// Cells of a raster do not all have as many pixels: spread over them, proposals stay as many.
+TEST(LargeFilm, SpreadsWhatIsCountedByCellsOverTheirPixels) {
+  description::Scene scene = diffuse_room();
+  for (description::Shape& shape : scene.shapes)
+    if (shape.sensor) shape.sensor->resolution = {20'011};
+  Session session;
+  session.budget = SampleBudget{64 * 256};
+  const Rendering found =
+      render({scene, find_method("mlt"), {.film = {.maps = Keep::always}}}, session);
+  int maps = 0;
+  for (const FilmLayer& layer : layers_of(found))
+    for (const MutationRecord& mutation : found.mutations) {
+      if (layer.name != "proposed." + mutation.name) continue;
+      ++maps;
+      double all = 0;
+      for (std::size_t j = 0; j < found.film.value.size(); ++j) all += layer.number(j);
+      EXPECT_NEAR(all, static_cast<double>(mutation.proposed), 1e-6);
+      EXPECT_LT(mutation.proposed_per_bin.size(), found.film.value.size());
+    }
+  EXPECT_GT(maps, 1);
 }
 
 TEST(LargeFilm, HasMapsOnARasterAndOnlyIfAskedFor) {

@@ -206,6 +206,21 @@ TEST(MergedChains, OfPooledFilmsHaveTheMeanOfThem) {
   }
 }
 
+// The same of large films, whose parts have errors of their own.
+TEST(MergedChains, OfLargePooledFilmsHaveTheErrorOfTheirMean) {
+  Job job = chains_job(NormalizationMethod::bridge, FilmParts::pooled, 1);
+  job = Job(job.scene(), job.method(), {.chains = job.dials().chains, .film = {.most_small = 4}});
+  const std::vector<Kept> runs{kept_run(job, 1, 60'000), kept_run(job, 2, 60'000)};
+  const Rendering all = merged(job, runs);
+  const FilmEstimate &a = runs[0].found.film, &b = runs[1].found.film;
+  double of_all = 0, of_each = 0;
+  for (std::size_t j = 0; j < a.value.size(); ++j) {
+    of_all += std::pow(all.film.standard_error[j], 2);
+    of_each += (std::pow(a.standard_error[j], 2) + std::pow(b.standard_error[j], 2)) / 4;
+  }
+  EXPECT_NEAR(of_all / of_each, 1, 0.3);
+}
+
 TEST(MergedChains, CountWhatAllMutationsDid) {
   const Job job = chains_job();
   const std::vector<Kept> runs{kept_run(job, 1, 15'000), kept_run(job, 2, 20'000)};

@@ -233,6 +233,23 @@ TEST_P(TracedRooms, AReplayedStepIsTheRecordedOne) {
   EXPECT_GT(proposals, 0);
 }
 
+// Of what is refused, too, and has as many vertices as the state.
+TEST_P(TracedRooms, TellTheClassOfWhatWasProposed) {
+  const Trajectory t = room_.trajectory(1, {.end = 2000});
+  int told = 0;
+  for (std::size_t i = 0; i < t.size() && told < 40; ++i) {
+    if (t.accepted[i] || t.proposed.vertices[i] != t.state.vertices[i] ||
+        t.proposed.vertices[i] == 0)
+      continue;
+    ++told;
+    const Replay r = replay(room_.space, room_.family, session_of(2), 0, i, settings);
+    EXPECT_EQ(t.classes.at(static_cast<std::size_t>(t.proposed.path_class[i])),
+              r.proposal->y.path_class);
+    EXPECT_EQ(t.classes.at(static_cast<std::size_t>(t.state.path_class[i])), r.x.path_class);
+  }
+  EXPECT_GT(told, 5);
+}
+
 // The state before the first draw is recorded too, also where the first draw moves.
 TEST_P(TracedRooms, HoldWhereTheyStart) {
   const Trajectory t = room_.trajectory(3, {.first = 40, .end = 60});

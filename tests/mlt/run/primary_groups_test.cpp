@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <set>
 
 #include "tests/support/allocation_counter.h"
 #include "tests/support/expect.h"
@@ -94,6 +95,24 @@ TEST_P(PrimaryRooms, SeedsAreMadeAgainFromTheirNumbersBitForBit) {
     // Without its numbers nothing starts.
     EXPECT_FALSE(path_chain.start(single, PrimaryNumbers(single.coordinates())));
   }
+}
+
+// No two chains of a run, of whatever length and group, draw the same numbers.
+TEST(LengthNumbers, HaveAStreamForEachChain) {
+  std::set<double> firsts;
+  constexpr int groups = 6, lengths = 5;
+  for (int g = 0; g < groups; ++g) {
+    const LengthNumbers numbers(7, g, lengths);
+    for (int k = 0; k < lengths; ++k) {
+      Rng random = numbers.chain(k);
+      random.start(0);
+      firsts.insert(random.uniform());
+      EXPECT_GE(numbers.place(k), 0);
+      firsts.insert(numbers.place(k));
+    }
+    firsts.insert(numbers.first_length());
+  }
+  EXPECT_EQ(firsts.size(), static_cast<std::size_t>(groups * (2 * lengths + 1)));
 }
 
 // ---- deposits

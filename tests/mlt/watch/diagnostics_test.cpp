@@ -200,5 +200,13 @@ TEST(AutocorrelationTime, OfChainsThatAreTooShortIsNaN) {
   EXPECT_TRUE(std::isnan(sokal_autocorrelation_time(autoregressive(0.999, 4, 200))));
 }
 
+// Draws per event of the mean itself, not of ranks: where few draws carry the mean, the two differ.
+TEST(AutocorrelationTime, IsThatOfTheMean) {
+  const Draws draws = mapped(autoregressive(0.9, 4, 1000),
+                             [](std::size_t, double x) { return std::exp(4 * x); });
+  EXPECT_DOUBLE_EQ(autocorrelation_time(draws), 4000 / ess_mean(draws));
+  EXPECT_GT(std::abs(ess_mean(draws) / ess_bulk(draws) - 1), 0.05);
+}
+
 }  // namespace
 }  // namespace wander::test

@@ -16,11 +16,12 @@ the environment says which is on, so that a bug costs the tests that come by its
 of their time, up to {seconds} s for each bug, until one fails. `tests/mutants/machine/sites.py` says where bugs are made; constants that the compiler
 computes are out of its reach. Planted by hand: [mutants.md](mutants.md).
 
-| room | drawn | no test comes by | tried | caught | the program as before | survive | score |
-|---|--:|--:|--:|--:|--:|--:|--:|
+| room | drawn | no test comes by | tried | caught | since | the program as before | survive | score at first | score |
+|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|
 {rows}
 
-*The program as before* are survivors that change no result, with their reasons below; the score is of the others, with its interval (Wilson, 95 %).
+*The program as before* are survivors that change no result; *since* are those that a test catches which was written for them, each tried with its
+bug and that test alone. The score is of all that are not as before, with its interval (Wilson, 95 %), *at first* without the new tests.
 
 ## Survivors
 
@@ -41,9 +42,8 @@ def wilson(caught, tried):
 
 
 def explanation(result, explained):
-    """(is it equivalent, why), by file, kind and text, which outlive a change of lines."""
-    found = explained.get(f"{result['file']}: {result['kind']}: {result['text']}")
-    return (found.get("equivalent", False), found["why"]) if found else (False, "")
+    """What is known of a survivor, by file, kind and text, which outlive a change of lines."""
+    return explained.get(f"{result['file']}: {result['kind']}: {result['text']}", {"why": ""})
 
 
 def escaped(text):
@@ -65,12 +65,16 @@ def write_report(folder, repository, seconds):
             if r["caught"]:
                 count["caught"] += 1
                 continue
-            equivalent, why = explanation(r, explained)
-            count["equivalent" if equivalent else "survive"] += 1
+            known = explanation(r, explained)
+            count["since" if "since" in known else "equivalent" if "equivalent" in known else "survive"] += 1
+            why = f"since: `{known['since']}`" if "since" in known else known["why"]
+            if "equivalent" in known:
+                why = f"as before: {why}"
             survivors.append(f"| `{r['file']}:{r['line']}` | {r['kind']} | `{escaped(r['text'])}` | {why} |")
+        real = count["tried"] - count["equivalent"]
         rows.append(f"| `{room}` | {count['drawn']} | {count['no test comes by']} | {count['tried']} | {count['caught']} "
-                    f"| {count['equivalent']} | {count['survive']} "
-                    f"| {wilson(count['caught'], count['tried'] - count['equivalent'])} |")
+                    f"| {count['since']} | {count['equivalent']} | {count['survive']} | {wilson(count['caught'], real)} "
+                    f"| {wilson(count['caught'] + count['since'], real)} |")
     date = time.strftime("%Y-%m-%d", time.gmtime((folder / "results.json").stat().st_mtime))
     page = HEAD.format(date=date, seconds=f"{seconds:g}", rows="\n".join(rows), survivors="\n".join(survivors))
     (repository / "docs/mutants-by-machine.md").write_text(page)
