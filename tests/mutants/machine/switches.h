@@ -3,12 +3,12 @@
 // WANDER_BUGS_PASSED=FOLDER.  Where a constant is computed by the compiler there is no bug, and nobody comes by.
 #pragma once
 
+#include <unistd.h>
 #include <concepts>
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <type_traits>
-#include <unistd.h>
 
 namespace wander_bugs {
 
@@ -24,7 +24,8 @@ class Passed {
   ~Passed() {
     const char* folder = std::getenv("WANDER_BUGS_PASSED");
     if (folder == nullptr) return;
-    std::FILE* file = std::fopen((std::string(folder) + "/" + std::to_string(getpid())).c_str(), "a");
+    std::FILE* file =
+        std::fopen((std::string(folder) + "/" + std::to_string(getpid())).c_str(), "a");
     if (file == nullptr) return;
     for (int id = 0; id < most; ++id)
       if (seen[id] != 0) std::fprintf(file, "%d\n", id);
@@ -43,12 +44,14 @@ constexpr bool on(int id) {
 }
 
 // An operator and what the bug puts in its place, where that has the same type; else there is no bug.
-#define WANDER_BUGS_OPERATOR(NAME, RIGHT, WRONG)                                              \
-  template <class A, class B>                                                                 \
-  constexpr auto NAME(int id, const A& a, const B& b) {                                       \
-    if constexpr (requires { { a WRONG b } -> std::same_as<decltype(a RIGHT b)>; })           \
-      if (on(id)) return a WRONG b;                                                           \
-    return a RIGHT b;                                                                         \
+#define WANDER_BUGS_OPERATOR(NAME, RIGHT, WRONG)                        \
+  template <class A, class B>                                           \
+  constexpr auto NAME(int id, const A& a, const B& b) {                 \
+    if constexpr (requires {                                            \
+                    { a WRONG b } -> std::same_as<decltype(a RIGHT b)>; \
+                  })                                                    \
+      if (on(id)) return a WRONG b;                                     \
+    return a RIGHT b;                                                   \
   }
 WANDER_BUGS_OPERATOR(add, +, -)
 WANDER_BUGS_OPERATOR(subtract, -, +)
@@ -57,12 +60,12 @@ WANDER_BUGS_OPERATOR(divide, /, *)
 WANDER_BUGS_OPERATOR(remainder, %, *)
 #undef WANDER_BUGS_OPERATOR
 
-#define WANDER_BUGS_ASSIGNMENT(NAME, RIGHT, WRONG)                       \
-  template <class A, class B>                                            \
-  constexpr decltype(auto) NAME(int id, A&& a, const B& b) {             \
-    if constexpr (requires { a WRONG b; })                               \
-      if (on(id)) return a WRONG b;                                      \
-    return a RIGHT b;                                                    \
+#define WANDER_BUGS_ASSIGNMENT(NAME, RIGHT, WRONG)           \
+  template <class A, class B>                                \
+  constexpr decltype(auto) NAME(int id, A&& a, const B& b) { \
+    if constexpr (requires { a WRONG b; })                   \
+      if (on(id)) return a WRONG b;                          \
+    return a RIGHT b;                                        \
   }
 WANDER_BUGS_ASSIGNMENT(add_to, +=, -=)
 WANDER_BUGS_ASSIGNMENT(subtract_from, -=, +=)
@@ -71,13 +74,14 @@ WANDER_BUGS_ASSIGNMENT(divide_by, /=, *=)
 #undef WANDER_BUGS_ASSIGNMENT
 
 // At the boundary the other answer; of floating numbers that changes nothing that happens.
-#define WANDER_BUGS_ORDER(NAME, RIGHT, WRONG)                                                        \
-  template <class A, class B>                                                                        \
-  constexpr bool NAME(int boundary, int negated, const A& a, const B& b) {                           \
-    if constexpr (!std::is_floating_point_v<A> && !std::is_floating_point_v<B> && requires { a WRONG b; }) \
-      if (boundary >= 0 && on(boundary)) return a WRONG b;                                           \
-    if (negated >= 0 && on(negated)) return !(a RIGHT b);                                            \
-    return a RIGHT b;                                                                                \
+#define WANDER_BUGS_ORDER(NAME, RIGHT, WRONG)                                     \
+  template <class A, class B>                                                     \
+  constexpr bool NAME(int boundary, int negated, const A& a, const B& b) {        \
+    if constexpr (!std::is_floating_point_v<A> && !std::is_floating_point_v<B> && \
+                  requires { a WRONG b; })                                        \
+      if (boundary >= 0 && on(boundary)) return a WRONG b;                        \
+    if (negated >= 0 && on(negated)) return !(a RIGHT b);                         \
+    return a RIGHT b;                                                             \
   }
 WANDER_BUGS_ORDER(less, <, <=)
 WANDER_BUGS_ORDER(less_equal, <=, <)
@@ -88,8 +92,10 @@ WANDER_BUGS_ORDER(greater_equal, >=, >)
 template <class A>
 constexpr A number(int id, A value) {
   if (!on(id)) return value;
-  if constexpr (std::is_floating_point_v<A>) return value == A{0} ? A{1} : value * A{1.125};
-  else return static_cast<A>(value + 1);
+  if constexpr (std::is_floating_point_v<A>)
+    return value == A{0} ? A{1} : value * A{1.125};
+  else
+    return static_cast<A>(value + 1);
 }
 
 template <class A>
