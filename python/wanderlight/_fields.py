@@ -34,6 +34,7 @@ def plain(value: Any) -> Any:
 
 
 def fields(part: Any) -> dict[str, Any]:
+    """All that a part says, by its words in a scene file."""
     said: dict[str, Any] = {}
     for field in dataclasses.fields(part):
         value = getattr(part, field.name)
