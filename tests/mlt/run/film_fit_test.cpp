@@ -251,15 +251,15 @@ TEST(FilmFit, BinsTakenTogetherHoldAllThatWasInThem) {
   CoarseFilms films{{group}, {3, 5}};
   films.halve();
   EXPECT_EQ(films.shape, (std::vector<int>{2, 3}));
-  const auto sum = [](std::initializer_list<int> from, auto value) {
+  const auto sum = [](const std::vector<int>& from, auto value) {
     double total = 0;
     for (const int j : from) total += value(j);
     return total;
   };
   const auto found = [](int j) { return std::ldexp(1, j); };
   const auto deposits = [](int j) { return std::ldexp(1, 20 - j); };
-  const std::vector<std::initializer_list<int>> parts{{0, 1, 5, 6}, {2, 3, 7, 8}, {4, 9},
-                                                      {10, 11},     {12, 13},     {14}};
+  const std::vector<std::vector<int>> parts{{0, 1, 5, 6}, {2, 3, 7, 8}, {4, 9},
+                                            {10, 11},     {12, 13},     {14}};
   ASSERT_EQ(films.groups[0].found.size(), parts.size());
   for (std::size_t j = 0; j < parts.size(); ++j) {
     EXPECT_EQ(films.groups[0].found[j], sum(parts[j], found));
