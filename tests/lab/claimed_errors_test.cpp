@@ -1,5 +1,6 @@
 // Error bars are neither too short nor too long, of each method: tests/support/claimed_errors.h.
-// False alarms: 1e-9 each beyond the tolerance, by the normal law of the jackknife.
+// False alarms: 1e-9 each beyond the tolerance, by the normal law of the jackknife.  With 99 % they see variances
+// that are claimed 9 % too small or too large of samples, 19 % of chains; the long test 11 %.
 #include "tests/support/claimed_errors.h"
 
 #include <gtest/gtest.h>

@@ -47,7 +47,7 @@ struct OtherEnd {
 using Others = OtherEnd<End::sensor, 1>;
 using More = OtherEnd<End::sensor, 3>;
 using Lights = OtherEnd<End::light, 2>;
-using Idle = OtherEnd<End::light, 0>;
+using Plain = OtherEnd<End::light, 0>;
 
 // What a seed pass could have found; nothing of some techniques.
 SeedTally findings(int max_vertices, std::uint64_t seed) {
@@ -113,14 +113,14 @@ TEST_P(PointlandFamily, OfSixKeepsTheTargetWithEachMemberInEveryPlace) {
   const Graph graph(proof_plan(GetParam().name, 4));
   const StateSpace states(graph);
   expect_exact_in_every_place(graph, states, 6, Bidirectional{}, Others{}, learned(graph, 1),
-                              Lights{}, More{}, Idle{});
+                              Lights{}, More{}, Plain{});
 }
 
 // The selection of one member alone left out of the ratio, whichever it is.
 TEST(PointlandFamilyTwin, ThatForgetsTheSelectionOfOneMemberIsCaught) {
   const Graph graph(proof_plan("two lights, two sensors", 4));
   const StateSpace states(graph);
-  using Six = Mixture<Bidirectional, Others, PrimaryLarge, Lights, More, Idle>;
+  using Six = Mixture<Bidirectional, Others, PrimaryLarge, Lights, More, Plain>;
   const Six kernel({0.3, 1, 0.2, 0.6, 0.15, 0.8}, {}, {}, learned(graph, 1), {}, {}, {});
   for (int forgotten = 0; forgotten < static_cast<int>(Six::count); ++forgotten) {
     const auto forgetful = [&](const Step<Pointland>& step) {
@@ -143,7 +143,7 @@ TEST(PointlandFamilyTwin, ThatForgetsTheSelectionOfOneMemberIsCaught) {
 TEST(PointlandFamilyOf, AnyLengthKeepsTheTarget) {
   const Graph graph(proof_plan("glass", 4));
   const StateSpace states(graph);
-  using Seven = Joined<Mixture<Idle, Bidirectional, PrimaryLarge, Lights>,
+  using Seven = Joined<Mixture<Plain, Bidirectional, PrimaryLarge, Lights>,
                        MutationList<More, OtherEnd<End::light, 5>, Others>>;
   static_assert(Seven::count == 7);
   const Seven kernel({0.8, 0.3, 0.2, 0.6, 0.15, 0.4, 1}, {}, {}, learned(graph, 1), {}, {}, {}, {});
