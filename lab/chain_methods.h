@@ -1,5 +1,5 @@
-// The methods by Markov chains.  They are defined in world_methods.h and made for each world in a
-// file of its own.
+// The methods by Markov chains.  They are defined in family/mlt_run.h and world_methods.h, and made for
+// each world in a file of its own.
 #pragma once
 
 #include "lab/stage.h"

@@ -10,7 +10,7 @@
 #include "lab/method.h"
 #include "lab/precision.h"
 #include "mlt/run/chain_settings.h"
-#include "mutations/catalogue.h"
+#include "mutations/family_settings.h"
 
 namespace wander {
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include "lab/held_run.h"
@@ -15,42 +14,25 @@ namespace wander {
 
 namespace {
 
-template <World W>
-constexpr Engine engine_in() {
-  constexpr bool is_single = std::same_as<typename W::Real, float>;
-  return {
-      .world = {W::dimension, is_single ? Precision::of_float : Precision::of_double, W::channels},
-      .hold = &hold_in<W>,
-      .merge = &merge_in<W>,
-      .trace = &trace_in<W>,
-      .replay = &replay_in<W>,
-      .check = &check_in<W>};
-}
-
 template <World... Ws>
-constexpr std::array<Engine, sizeof...(Ws)> engines_in(WorldList<Ws...>) {
-  return {engine_in<Ws>()...};
-}
-constexpr std::array engine_table = engines_in(Worlds{});
-
-constexpr bool has(const WorldKind& world) {
-  return std::ranges::count(engine_table, world, &Engine::world) == 1;
+constexpr bool is_in(WorldList<Ws...>, const WorldKind& world) {
+  return ((kind_of<Ws> == world) || ...);
 }
 static_assert(std::ranges::all_of(precisions, [](Precision precision) {
-  return has({2, precision});
+  return is_in(Worlds{}, {2, precision});
 }));
 
 }  // namespace
 
-std::span<const Engine> engines() { return engine_table; }
-
 const Engine& engine_of(const Job& job) {
-  return *std::ranges::find(engine_table, job.world(), &Engine::world);  // Job has seen to it
+  return *std::ranges::find(engines(), job.world(), &Engine::world);  // Job has seen to it
 }
 
 std::string why_no_engine(const WorldKind& world) {
-  if (has(world)) return {};
-  return fmt::format("scenes of {} dimensions cannot be computed in precision {}", world.dimension,
+  if (std::ranges::count(engines(), world, &Engine::world) == 1) return {};
+  return fmt::format("scenes of {} dimensions{} {} in precision {}", world.dimension,
+                     world.channels > 1 ? " in colour" : "",
+                     is_in(Worlds{}, world) ? "are left out of this program" : "cannot be computed",
                      name_of(world.precision));
 }
 

@@ -31,12 +31,10 @@ Job::Job(const description::Scene& scene, const Method& method, const Dials& dia
   scene_.max_vertices = dials.max_vertices.value_or(scene.max_vertices);
 }
 
-Family Job::family() const { return make_family(dials_.family(), requires_of(scene_)); }
-
-Family Job::family(double kernel) const {
+FamilySettings Job::family(double kernel) const {
   FamilySettings settings = dials_.family();
   settings.kernel = kernel;
-  return make_family(settings, requires_of(scene_));
+  return settings;
 }
 
 StepEstimator Job::estimator() const {

@@ -8,7 +8,7 @@
 #include "core/description.h"
 #include "lab/dials.h"
 #include "lab/method.h"
-#include "mutations/catalogue.h"
+#include "mutations/family_settings.h"
 
 namespace wander {
 
@@ -39,9 +39,9 @@ class Job {
   const Dials& dials() const { return dials_; }
   WorldKind world() const { return world_of(scene_, dials_); }
 
-  // Of the mutations in path space; with small moves that go so many times as far.
-  Family family() const;
-  Family family(double kernel) const;
+  // How the mutations in path space act; with small moves that go so many times as far.
+  FamilySettings family() const { return dials_.family(); }
+  FamilySettings family(double kernel) const;
   // What the steps deposit.
   StepEstimator estimator() const;
 

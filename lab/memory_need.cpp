@@ -8,7 +8,7 @@
 #include "core/large_sample_film.h"
 #include "mlt/run/shared_films.h"
 #include "mlt/watch/functionals.h"
-#include "mutations/catalogue.h"
+#include "mutations/family_settings.h"
 #include "statistics/number_text.h"
 
 namespace wander {
@@ -33,7 +33,7 @@ struct Size {
         cells(static_cast<double>(layout.raster(shape).cells())),
         lengths(layout.keeps_lengths(shape, max_vertices) ? max_vertices - 1 : 0) {
     if (!job.method().is_markov_chain()) return;
-    moves = job.method().state == ChainState::path ? static_cast<double>(Family::count) : 2;
+    moves = job.method().state == ChainState::path ? count_of_mutations() : 2;
     if (job.dials().chains.film_parts == FilmParts::pooled) alone = is_large ? 2 : 3;
     maps = 2 * moves * static_cast<double>(layout.maps_of(shape).cells());
   }

@@ -1,4 +1,4 @@
-// The methods by Markov chains, and the run of any method, in one world: light transport is written
+// The methods by chains in primary sample space, and the run of any method, in one world: light transport is written
 // for any precision, and each precision is made in a file of its own (world_methods_float.cpp,
 // world_methods_double.cpp).
 #pragma once
@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "lab/chain_methods.h"
-#include "lab/chain_run.h"
+#include "lab/chains_on_stage.h"
 #include "lab/drive.h"
 #include "lab/failure.h"
 #include "lab/held_run.h"
@@ -26,22 +26,7 @@
 
 namespace wander {
 
-// ---- methods by Markov chains
-
-// `Chains` is the Group of the run; scaled(factor) is the kernel whose small moves go so many times
-// as far as usual.
-template <class Chains, World W, class KernelOf>
-std::unique_ptr<LiveRun> chain_run(const Stage<W>& stage, const KernelOf& scaled) {
-  const Dials& dials = stage.job.dials();
-  ChainSettings settings = dials.chains;
-  settings.film = dials.film;
-  const auto made = [&](const auto& kernel) {
-    return std::make_unique<ChainRun<Transport<W>, Chains>>(
-        stage.job.method().name.data(), stage.space, kernel, stage.execution,
-        fitted(settings, stage.execution.session().budget));
-  };
-  return dials.kernel ? made(scaled(*dials.kernel)) : made(Adaptable<KernelOf>{scaled});
-}
+// ---- methods by Markov chains in primary sample space
 
 template <template <class S, class SmallStep, class Estimator> class Chains, World W>
 std::unique_ptr<LiveRun> in_primary_space(const Stage<W>& stage) {
@@ -55,11 +40,6 @@ std::unique_ptr<LiveRun> in_primary_space(const Stage<W>& stage) {
              : chain_run<Chains<Space, Kelemen, ExpectedValues>>(stage, kernel);
 }
 
-template <World W>
-std::unique_ptr<LiveRun> MltMethod::make(const Stage<W>& stage) {
-  return chain_run<PathGroup<Transport<W>, Family>>(
-      stage, [&job = stage.job](double factor) { return job.family(factor); });
-}
 template <World W>
 std::unique_ptr<LiveRun> PssmltMethod::make(const Stage<W>& stage) {
   return in_primary_space<PssmltGroup>(stage);

@@ -2,7 +2,6 @@
 
 namespace wander {
 
-template std::unique_ptr<LiveRun> MltMethod::make(const Stage<SpacelandColour>&);
 template std::unique_ptr<LiveRun> PssmltMethod::make(const Stage<SpacelandColour>&);
 template std::unique_ptr<LiveRun> MmltMethod::make(const Stage<SpacelandColour>&);
 template std::unique_ptr<WorldRun> hold_in<SpacelandColour>(const KeptRun&, const Job&,

@@ -4,6 +4,7 @@
 #include <concepts>
 
 #include "core/transport.h"
+#include "mlt/check/kernel_check.h"
 
 namespace wander {
 
@@ -109,6 +110,16 @@ MutationChoice choose_mutations(const Requirements& scene) {
   MutationChoice choice;
   for_each_mutation(family, [&]<class M>() { choose<M>(scene, choice); });
   return choice;
+}
+
+int count_of_mutations() { return Family::count; }
+
+std::vector<std::string_view> names_taken(const FamilySettings& settings,
+                                          const Requirements& scene) {
+  std::vector<std::string_view> names;
+  for (const std::size_t i : selectable(make_family(settings, scene)))
+    names.push_back(Family::names[i]);
+  return names;
 }
 
 Family make_family(const FamilySettings& settings, int max_vertices) {

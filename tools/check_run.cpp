@@ -16,11 +16,9 @@ constexpr int steps = 20;
 constexpr std::uint64_t samples_per_film = 4;
 
 // In the order in which they are made.
-std::vector<std::string> names_of_parts(const Family& family) {
-  const std::vector<std::size_t> mutations = selectable(family);
+std::vector<std::string> names_of_parts(std::span<const std::string_view> mutations) {
   std::vector<std::string> names;
-  for (const std::size_t i : mutations)
-    names.push_back(fmt::format("mutation {}", Family::names[i]));
+  for (const std::string_view name : mutations) names.push_back(fmt::format("mutation {}", name));
   if (mutations.size() > 1) names.emplace_back("the mixture of the mutations");
   names.push_back(fmt::format("film by {}, the reference", reference_method().name));
   for (const Method* method : checked_methods())
@@ -37,9 +35,9 @@ const Method& mutated_method() {
 
 CheckReport check(const SceneDocument& document, const Job& job, std::uint64_t samples,
                   const Session& session) {
-  const Family family = job.family();
-  const std::size_t mutations = selectable(family).size(), mixtures = mutations > 1 ? 1 : 0;
-  const std::size_t kernels = mutations + mixtures, methods = checked_methods().size();
+  const auto mutations = names_taken(job.family(), requires_of(job.scene()));
+  const std::size_t mixtures = mutations.size() > 1 ? 1 : 0;
+  const std::size_t kernels = mutations.size() + mixtures, methods = checked_methods().size();
   const double false_alarm = false_alarm_of_all / static_cast<double>(3 * kernels + methods);
   CheckReport report{.scene_name = document.scene.name,
                      .scene_sha256 = document.sha256,
@@ -49,7 +47,7 @@ CheckReport check(const SceneDocument& document, const Job& job, std::uint64_t s
                      .steps = steps,
                      .false_alarm = false_alarm_of_all};
   const Run run(session);
-  CheckParts parts(session, run, names_of_parts(family));
+  CheckParts parts(session, run, names_of_parts(mutations));
   check_mutations(
       job, {.samples = samples, .steps = steps, .seed = session.seed, .false_alarm = false_alarm},
       run, [&](KernelCheck result) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/requirements.h"
-#include "mutations/catalogue.h"
+#include "mutations/family_settings.h"
 #include "statistics/number_text.h"
 #include "tools/inspection.h"
 

@@ -13,7 +13,7 @@
 #include "draw/report/sections.h"
 #include "lab/fluence.h"
 #include "lab/wording.h"
-#include "mutations/catalogue.h"
+#include "mutations/family_settings.h"
 
 namespace wander::report {
 namespace {

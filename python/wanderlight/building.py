@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import fcntl
 import hashlib
+import importlib.metadata
 import importlib.util
 import os
 import re
@@ -12,11 +13,15 @@ import subprocess
 import sys
 from pathlib import Path
 from types import ModuleType
+from typing import NamedTuple, Sequence
 
 from ._wander import version as _version
 from .errors import RunError, UsageError
 
-__all__ = ["BuildError", "build"]
+__all__ = ["WORLDS", "BuildError", "build"]
+
+# Scenes of the plane, in double and in single precision, of space, and of space in colour.
+WORLDS = ("plane", "plane_float", "space", "colour")
 
 _HERE = Path(__file__).resolve().parent
 _NAMED = re.compile(r"struct\s+(\w+)[^;{]*\{(?:(?!struct\b).)*?static\s+constexpr\s+std::string_view\s+name\b", re.S)
@@ -34,19 +39,31 @@ class BuildError(RunError):
     """
 
 
-def build(
-    header: str | Path, type: str | None = None, *, jobs: int = 0, folder: str | Path | None = None
-) -> ModuleType:
-    """Compiles the engine with a mutation of one's own; docs/extending.md says how one is written.
+class _Own(NamedTuple):
+    file: Path
+    type: str
 
-    The first takes some minutes, others half of that: what does not depend on mutations is kept.
+
+def build(
+    header: str | Path | Sequence[str | Path],
+    type: str | None = None,
+    *,
+    worlds: Sequence[str] = WORLDS,
+    jobs: int = 0,
+    folder: str | Path | None = None,
+) -> ModuleType:
+    """Compiles an engine with mutations of one's own; docs/extending.md says how one is written.
+
+    What depends on mutations is compiled, in each of the worlds: about a minute for one on two cores.
 
     Parameters
     ----------
-    header : str or Path
-        The file of the mutation.
+    header : str, Path or several
+        The file of the mutation; or of each mutation, which become one family.
     type : str, optional
         The name of its struct, if the header has several with a ``name``.
+    worlds : sequence of str
+        Of which scenes it computes, of `WORLDS`: others are refused.
     jobs : int
         Compilers at a time; 0: one for each core.
     folder : str or Path, optional
@@ -61,20 +78,18 @@ def build(
     Raises
     ------
     BuildError
-        Where a compiler, CMake or a library is missing, or the header does not compile.
+        Where a compiler, CMake or a library is missing, or a header does not compile.
 
     Examples
     --------
     >>> import wanderlight as wl
-    >>> own = wl.build("sensor_slide.h")                                                    # doctest: +SKIP
+    >>> own = wl.build("sensor_slide.h", worlds=["plane"])                                  # doctest: +SKIP
     >>> own.check("gallery:article-1", mutations={"bidirectional": 1, "sensor_slide": 1})   # doctest: +SKIP
     """
-    file = Path(header).resolve()
-    if not file.is_file():
-        raise UsageError(f"{header}: there is no such file")
-    text = file.read_text(encoding="utf-8")
-    name = type or _type_in(text, str(header))
-    package = f"wanderlight_{name.lower()}_{hashlib.sha256(text.encode()).hexdigest()[:10]}"
+    _require_worlds(worlds)
+    headers = [header] if isinstance(header, (str, Path)) else list(header)
+    own = [_own(each, type) for each in headers]
+    package = _package_of(own, worlds)
     if package in sys.modules:
         return sys.modules[package]
     place = Path(folder) if folder is not None else _cache()
@@ -83,9 +98,28 @@ def build(
     # One at a time: what does not depend on the mutation is compiled once for all.
     with (place / "lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        _compile(file, name, package, place, jobs or os.cpu_count() or 1)
+        _compile(own, worlds, package, place, jobs or os.cpu_count() or 1)
         home = _packed(package, place)
     return _loaded(package, home)
+
+
+def _require_worlds(worlds: Sequence[str]) -> None:
+    unknown = [world for world in worlds if world not in WORLDS]
+    if isinstance(worlds, str) or unknown or not worlds:
+        raise UsageError(f"worlds={worlds!r}: it is a list of some of {', '.join(WORLDS)}")
+
+
+def _own(header: str | Path, type: str | None) -> _Own:
+    file = Path(header).resolve()
+    if not file.is_file():
+        raise UsageError(f"{header}: there is no such file")
+    return _Own(file, type or _type_in(file.read_text(encoding="utf-8"), str(header)))
+
+
+def _package_of(own: Sequence[_Own], worlds: Sequence[str]) -> str:
+    told = "".join(each.type + each.file.read_text(encoding="utf-8") for each in own) + ",".join(worlds)
+    types = "_".join(each.type.lower() for each in own)
+    return f"wanderlight_{types}_{hashlib.sha256(told.encode()).hexdigest()[:10]}"
 
 
 def _type_in(text: str, shown: str) -> str:
@@ -120,7 +154,15 @@ def _run(words: list[str], log: Path, what: str) -> None:
     raise BuildError(f"{what} failed, see {log}; {_PACKAGES}:\n" + "\n".join(lines[first : first + 6]))
 
 
-def _compile(file: Path, name: str, package: str, place: Path, jobs: int) -> None:
+def _compiled_rooms() -> Path | None:
+    """What knows no mutation came compiled with the package; its binding is for one nanobind alone."""
+    rooms = _HERE / "rooms"
+    version = rooms / "nanobind_version"
+    same = version.is_file() and version.read_text().strip() == importlib.metadata.version("nanobind")
+    return rooms if same else None
+
+
+def _compile(own: Sequence[_Own], worlds: Sequence[str], package: str, place: Path, jobs: int) -> None:
     made = place / "build"
     made.mkdir(parents=True, exist_ok=True)
     generator = ["-G", "Ninja"] if shutil.which("ninja") else []
@@ -131,14 +173,16 @@ def _compile(file: Path, name: str, package: str, place: Path, jobs: int) -> Non
         "WANDER_BENCHMARKS": "OFF",
         "WANDER_PYTHON": "ON",
         "WANDER_PYTHON_DOMAIN": package,
-        "WANDER_OWN_MUTATIONS": f"{file};{name}",
+        "WANDER_OWN_MUTATIONS": ";".join(f"{each.file};{each.type}" for each in own),
+        "WANDER_WORLDS": ";".join(worlds),
+        "WANDER_ROOMS": str(_compiled_rooms() or ""),
         "Python_EXECUTABLE": sys.executable,
     }
     options = [f"-D{key}={value}" for key, value in settings.items()]
     source = str(_HERE / "source")
     _run(["cmake", "-S", source, "-B", str(made), *generator, *options], place / "configure.log", "CMake")
     targets = ["--target", "_wander", "--target", "wander", "-j", str(jobs)]
-    _run(["cmake", "--build", str(made), *targets], place / "compile.log", f"compiling {file.name}")
+    _run(["cmake", "--build", str(made), *targets], place / "compile.log", f"compiling {own[0].file.name}")
 
 
 def _packed(package: str, place: Path) -> Path:

@@ -15,21 +15,6 @@ import matplotlib.pyplot as plt  # noqa: E402
 import pytest  # noqa: E402
 
 
-def pytest_addoption(parser):
-    parser.addoption("--long", action="store_true", help="also what compiles the engine, which takes minutes")
-
-
-def pytest_configure(config):
-    config.addinivalue_line("markers", "long: takes minutes; with --long")
-
-
-def pytest_collection_modifyitems(config, items):
-    if not config.getoption("--long"):
-        for item in items:
-            if "long" in item.keywords:
-                item.add_marker(pytest.mark.skip(reason="takes minutes: --long"))
-
-
 class Program:
     """The program that came with the package."""
 

@@ -50,20 +50,26 @@ def test_what_cmake_says_is_told(tmp_path, monkeypatch):
     assert "configure.log" in str(caught.value) and "one" not in str(caught.value).splitlines()
 
 
-@pytest.mark.long
+@pytest.mark.parametrize("worlds", [["plain"], "plane", []])
+def test_which_worlds_there_are(worlds):
+    with pytest.raises(wl.UsageError, match="some of plane, plane_float, space, colour"):
+        wl.build(SLIDE, worlds=worlds)
+
+
 def test_an_own_mutation_is_right_and_its_wrong_twin_is_caught(tmp_path):
+    right = SLIDE.read_text()
+    forgotten = "density /= window_of(u).size();"
+    assert forgotten in right
+    wrong = right.replace(forgotten, "density /= window_of(u).size() / window_of(u).size();")
+    twin = tmp_path / "twin.h"
+    twin.write_text(wrong.replace("SensorSlide", "Twin").replace("sensor_slide", "twin"))
+    own = wl.build([SLIDE, twin], worlds=["plane"], folder=tmp_path / "made")
     pairs = {"bidirectional": 1, "sensor_slide": 1}
-    header = tmp_path / "sensor_slide.h"
-    header.write_text(SLIDE.read_text())
-    own = wl.build(header, folder=tmp_path / "made")
     assert own.check("gallery:article-1", samples=50_000, mutations=pairs)
+    assert not own.check("gallery:article-1", samples=50_000, mutations={"bidirectional": 1, "twin": 1})
     assert "sensor_slide" in own.render("gallery:article-1", "mlt", "50k", mutations=pairs).mutations.index
-    # The engine beside it knows nothing of it.
+    # The engine beside it knows nothing of it, and this one nothing of other worlds.
     with pytest.raises(wl.UsageError, match="unknown mutation"):
         wl.render("gallery:article-1", "mlt", "50k", mutations=pairs)
-    forgotten = "density /= window_of(u).size();"
-    assert forgotten in header.read_text()
-    header.write_text(header.read_text().replace(forgotten, "density /= window_of(u).size() / window_of(u).size();"))
-    twin = wl.build(header, folder=tmp_path / "made")
-    assert twin is not own
-    assert not twin.check("gallery:article-1", samples=50_000, mutations=pairs)
+    with pytest.raises(own.UsageError, match="3 dimensions in colour are left out of this program"):
+        own.render("gallery:cornell", "pt", "1k")

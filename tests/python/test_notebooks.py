@@ -11,20 +11,12 @@ nbclient = pytest.importorskip("nbclient")
 
 FOLDER = Path(__file__).resolve().parent.parent.parent / "docs" / "notebooks"
 NOTEBOOKS = sorted(FOLDER.glob("*.ipynb"))
-# They compile the engine.
-LONG = {"own-mutation"}
 
 
-@pytest.mark.parametrize(
-    "file",
-    [pytest.param(file, marks=[pytest.mark.long] if file.stem in LONG else []) for file in NOTEBOOKS],
-    ids=lambda file: file.stem,
-)
+@pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
 def test_a_notebook_runs(file):
     notebook = nbformat.read(file, as_version=4)
-    nbclient.NotebookClient(
-        notebook, timeout=900 if file.stem in LONG else 120, resources={"metadata": {"path": str(FOLDER)}}
-    ).execute()
+    nbclient.NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(FOLDER)}}).execute()
 
 
 @pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)

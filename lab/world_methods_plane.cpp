@@ -2,7 +2,6 @@
 
 namespace wander {
 
-template std::unique_ptr<LiveRun> MltMethod::make(const Stage<Flatland>&);
 template std::unique_ptr<LiveRun> PssmltMethod::make(const Stage<Flatland>&);
 template std::unique_ptr<LiveRun> MmltMethod::make(const Stage<Flatland>&);
 template std::unique_ptr<WorldRun> hold_in<Flatland>(const KeptRun&, const Job&, const Session&);

@@ -1,10 +1,10 @@
-// The tests of invariance of `check` in one world; each precision is made in a file of its own
-// (world_checks_float.cpp, world_checks_double.cpp).
+// The tests of invariance of `check` in one world.
 #pragma once
 
 #include <fmt/format.h>
 
 #include "lab/failure.h"
+#include "lab/family/family_of.h"
 #include "lab/worlds.h"
 #include "mlt/seeds/nothing_found.h"
 #include "scenes/format/build_scene.h"
@@ -23,7 +23,7 @@ void check_in(const Job& job, const InvarianceOptions& options, const Run& run,
         fmt::format("nothing can be checked: {} bidirectional samples found no light path from a "
                     "light to the sensor; {}",
                     starts.tried(), where_light_is_lost));
-  check_kernels(space, job.family(), starts, options, run, done);
+  check_kernels(space, family_of(job), starts, options, run, done);
 }
 
 }  // namespace wander

@@ -1,9 +1,9 @@
-// The methods of `trace` in one world; each precision is made in a file of its own
-// (world_tracers_float.cpp, world_tracers_double.cpp).
+// The methods of `trace` in one world.
 #pragma once
 
 #include <memory>
 
+#include "lab/family/family_of.h"
 #include "lab/replay.h"
 #include "lab/trace.h"
 #include "lab/worlds.h"
@@ -30,11 +30,11 @@ class WorldTracers {
       using Chains = MmltChains<Space, Kelemen, ExpectedValues>;
       return Tracer<Space, Chains>(space_, kernel, session_, request, ChainSettings{}).run();
     }
-    return Tracer(space_, job_.family(), session_, request, ChainSettings{}).run();
+    return Tracer(space_, family_of(job_), session_, request, ChainSettings{}).run();
   }
 
   Replay replay(int chain, std::uint64_t step) const {
-    return wander::replay(space_, job_.family(), session_, chain, step, ChainSettings{});
+    return wander::replay(space_, family_of(job_), session_, chain, step, ChainSettings{});
   }
 
  private:

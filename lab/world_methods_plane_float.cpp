@@ -2,7 +2,6 @@
 
 namespace wander {
 
-template std::unique_ptr<LiveRun> MltMethod::make(const Stage<FlatlandSingle>&);
 template std::unique_ptr<LiveRun> PssmltMethod::make(const Stage<FlatlandSingle>&);
 template std::unique_ptr<LiveRun> MmltMethod::make(const Stage<FlatlandSingle>&);
 template std::unique_ptr<WorldRun> hold_in<FlatlandSingle>(const KeptRun&, const Job&,

@@ -1,0 +1,7 @@
+#include "lab/family/left_out.h"
+
+namespace wander {
+
+template std::unique_ptr<LiveRun> MltMethod::make(const Stage<FlatlandSingle>&);
+
+}  // namespace wander

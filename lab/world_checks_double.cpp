@@ -1,8 +1,0 @@
-#include "lab/world_checks.h"
-
-namespace wander {
-
-template void check_in<Flatland>(const Job&, const InvarianceOptions&, const Run&,
-                                 const KernelChecked&);
-
-}  // namespace wander
