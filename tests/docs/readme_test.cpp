@@ -136,7 +136,7 @@ bool is_run(const std::string& line) {
 }
 
 bool is_program(const std::string& name) {
-  for (const char* folder : {"tools", "tests", "tests/benchmarks"})
+  for (const char* folder : {".", "tests", "tests/benchmarks"})
     if (contents(source / folder / "CMakeLists.txt").find("add_executable(" + name + " ") !=
         std::string::npos)
       return true;

@@ -5,6 +5,7 @@
 
 #include "lab/engine.h"
 #include "lab/failure.h"
+#include "mutations/perturbation.h"
 #include "tests/support/expect.h"
 #include "tests/support/test_scenes.h"
 #include "tests/tools/command_line.h"

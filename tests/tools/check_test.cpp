@@ -1,6 +1,7 @@
 // `wander check`: verdicts in words and in JSON, exit codes, and a wrong twin that is caught.
 #include <nlohmann/json.hpp>
 
+#include "mlt/mixture.h"
 #include "tests/support/test_scenes.h"
 #include "tests/support/wrong_twins.h"
 #include "tests/tools/command_line.h"
