@@ -45,18 +45,18 @@ class Drive {
 
   Rendering to_the_end() {
     if (const auto* error = std::get_if<ErrorBudget>(&budget_)) aim_at(error->relative);
-    const bool had_all_seeds = !run_.takes_seeds() || seed_pass();
+    has_all_seeds_ = !run_.takes_seeds() || seed_pass();
     if (run_.takes_seeds() && run_.seeds().samples == 0 && execution_.is_interrupted())
       throw NothingComputed();
     if (run_.takes_seeds()) {
       // An interrupted seed pass goes on from where it was, not from the chains that now show what
       // it found.
-      if (!had_all_seeds) keep();
+      if (!has_all_seeds_) keep();
       headway_.seed_seconds = execution_.seconds();
       run_.start(run_.settings().chains_for(expected_steps()));
     }
     Rendering r = sampled();
-    if (had_all_seeds) keep();
+    if (has_all_seeds_) keep();
     return r;
   }
 
@@ -208,7 +208,8 @@ class Drive {
   Rendering findings() {
     Rendering r = run_.findings();
     const auto* budget = std::get_if<SampleBudget>(&budget_);
-    r.complete = budget ? r.samples == budget->samples : !execution_.is_interrupted();
+    r.complete =
+        has_all_seeds_ && (budget ? r.samples == budget->samples : !execution_.is_interrupted());
     r.seed = execution_.session().seed;
     r.threads = execution_.threads();
     r.seed_seconds = headway_.seed_seconds;
@@ -251,6 +252,7 @@ class Drive {
   const Budget& budget_;
   Headway headway_;
   const Keeper& keeper_;
+  bool has_all_seeds_ = true;                  // the chains may be few enough to end all the same
   double seeds_begin_ = 0;                     // of execution_.spent()
   double next_keeping_, time_of_keeping_ = 0;  // of execution_.seconds()
   double fraction_of_error_ = 0;               // of the way to the target, when last seen

@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -64,6 +65,14 @@ fs::path directory_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
+// Another program may have taken it for a leftover before it was locked; then it has no name left.
+// Where locks are unknown, no leftover is removed.
+bool is_locked_in_place(const Descriptor& file) {
+  if (flock(file.number(), LOCK_EX) != 0) return true;
+  struct stat status {};
+  return fstat(file.number(), &status) != 0 || status.st_nlink > 0;
+}
+
 constexpr std::string_view temporary_prefix = ".wander-", temporary_suffix = ".tmp";
 
 // Short, so that it is valid wherever the name of the file is.
@@ -108,10 +117,11 @@ void write_to_descriptor(int descriptor, const FileWriter& write, const std::str
 // A file that goes with its owner, unless it is renamed before.
 class StagedFile::Temporary {
  public:
-  Temporary(const fs::path& path, const std::string& place)
-      : path_(path), file_(path, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW), place_(place) {
-    if (!file_.is_open()) throw OutputError(place_, errno);
-    flock(file_.number(), LOCK_EX | LOCK_NB);  // where locks are unknown, no leftover is removed
+  Temporary(const fs::path& path, const std::string& place) : path_(path), place_(place) {
+    do {
+      file_ = std::make_unique<Descriptor>(path, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
+      if (!file_->is_open()) throw OutputError(place_, errno);
+    } while (!is_locked_in_place(*file_));
   }
   ~Temporary() {
     if (!path_.empty()) unlink(path_.c_str());
@@ -120,18 +130,18 @@ class StagedFile::Temporary {
   Temporary& operator=(const Temporary&) = delete;
 
   void write(const FileWriter& write) {
-    write_to_descriptor(file_.number(), write, place_);
-    if (!sync(file_.number())) throw OutputError(place_, errno);
+    write_to_descriptor(file_->number(), write, place_);
+    if (!sync(file_->number())) throw OutputError(place_, errno);
   }
   void rename_to(const fs::path& path) {
     if (rename(path_.c_str(), path.c_str()) != 0) throw OutputError(path.string(), errno);
     path_.clear();
-    if (!file_.close()) throw OutputError(path.string(), errno);
+    if (!file_->close()) throw OutputError(path.string(), errno);
   }
 
  private:
   fs::path path_;
-  Descriptor file_;
+  std::unique_ptr<Descriptor> file_;
   std::string place_;
 };
 
@@ -145,6 +155,7 @@ StagedFile::StagedFile(const fs::path& path, const FileWriter& write) : path_(be
     write_in_place(path_, write);
     return;
   }
+  remove_leftovers(directory_of(path_));
   temporary_ = std::make_unique<Temporary>(temporary_beside(path_), path.string());
   temporary_->write(write);
 }
@@ -152,14 +163,46 @@ StagedFile::StagedFile(const fs::path& path, const FileWriter& write) : path_(be
 StagedFile::StagedFile(StagedFile&& other) noexcept = default;
 StagedFile::~StagedFile() = default;
 
-void StagedFile::commit() {
+void StagedFile::take_name() {
+  if (temporary_) temporary_->rename_to(path_);
+}
+
+// The new name itself must reach the disk, too.
+void StagedFile::sync_name() const {
   if (!temporary_) return;
-  temporary_->rename_to(path_);
-  temporary_.reset();
-  // The new name itself must reach the disk too.
-  Descriptor directory(directory_of(path_), O_RDONLY | O_DIRECTORY);
+  const Descriptor directory(directory_of(path_), O_RDONLY | O_DIRECTORY);
   if (directory.is_open() && !sync(directory.number())) throw OutputError(path_.string(), errno);
 }
+
+void StagedFile::commit() { commit_together({this, 1}); }
+
+void StagedFile::commit_together(std::span<StagedFile> files) {
+  for (StagedFile& file : files) file.take_name();
+  for (const StagedFile& file : files) file.sync_name();
+  for (StagedFile& file : files) file.temporary_.reset();
+}
+
+TemporaryFolder::TemporaryFolder(const fs::path& beside) {
+  remove_leftovers(directory_of(beside));
+  do {
+    path_ = temporary_beside(beside);
+    if (mkdir(path_.c_str(), 0777) != 0 && errno != EEXIST)
+      throw OutputError(beside.string(), errno);
+    lock_ = std::make_unique<Descriptor>(path_, O_RDONLY | O_DIRECTORY);
+  } while (lock_->is_open() && !is_locked_in_place(*lock_));
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+DirectoryLock::DirectoryLock(const fs::path& directory)
+    : directory_(std::make_unique<Descriptor>(directory, O_RDONLY | O_DIRECTORY)),
+      is_held_(!directory_->is_open() || flock(directory_->number(), LOCK_EX | LOCK_NB) == 0 ||
+               errno != EWOULDBLOCK) {}
+
+DirectoryLock::~DirectoryLock() = default;
 
 bool is_temporary(const fs::path& path) {
   const std::string name = path.filename().string();
@@ -172,7 +215,7 @@ void remove_leftovers(const fs::path& directory) {
     if (!is_temporary(entry.path())) continue;
     const Descriptor file(entry.path(), O_RDONLY | O_NOFOLLOW);
     if (file.is_open() && flock(file.number(), LOCK_EX | LOCK_NB) == 0)
-      unlink(entry.path().c_str());
+      fs::remove_all(entry.path(), unreadable);
   }
 }
 

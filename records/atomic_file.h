@@ -1,17 +1,21 @@
 // Files that appear whole or not at all: the bytes go to a temporary file in the same directory,
 // every write is checked, the file is synced and then renamed into place.  A failure removes the
 // temporary file and leaves what was there before as it was.  Only a program that is killed leaves
-// one behind; it is locked while it is in use, so that a leftover can be told.
+// one behind; it is locked while it is in use, so that a leftover can be told, and goes when the
+// next file of that directory is written.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace wander {
+
+class Descriptor;
 
 // what() = "cannot write PATH: No space left on device"
 class OutputError : public std::runtime_error {
@@ -35,9 +39,13 @@ class StagedFile {
   StagedFile& operator=(StagedFile&&) = delete;
 
   void commit();
+  // In their order, with as little time between as there can be.
+  static void commit_together(std::span<StagedFile> files);
 
  private:
   class Temporary;
+  void take_name();
+  void sync_name() const;
   std::filesystem::path path_;
   std::unique_ptr<Temporary> temporary_;  // none: nothing is left to do
 };
@@ -46,9 +54,40 @@ class StagedFile {
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 void write_file(const std::filesystem::path& path, const FileWriter& write);
 
-// Does this name belong to a temporary file?
+// A folder beside a file that is to be, gone again with this object; a leftover goes as files do.
+class TemporaryFolder {
+ public:
+  explicit TemporaryFolder(const std::filesystem::path& beside);
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  std::unique_ptr<Descriptor> lock_;
+};
+
+// No other program has the lock of a directory while this object is.  Where locks are unknown,
+// every one gets it.
+class DirectoryLock {
+ public:
+  explicit DirectoryLock(const std::filesystem::path& directory);
+  ~DirectoryLock();
+  DirectoryLock(const DirectoryLock&) = delete;
+  DirectoryLock& operator=(const DirectoryLock&) = delete;
+
+  bool is_held() const { return is_held_; }
+
+ private:
+  std::unique_ptr<Descriptor> directory_;
+  bool is_held_;
+};
+
+// Does this name belong to a temporary file or folder?
 bool is_temporary(const std::filesystem::path& path);
-// Removes the temporary files in a directory that no program is writing any more.
+// Removes the temporary files and folders in a directory that no program is writing any more.
 void remove_leftovers(const std::filesystem::path& directory);
 
 // Writes all bytes to an open descriptor; `place` is named in the error.

@@ -154,13 +154,14 @@ void write_film_netcdf(const RunRecord& run, const ByteSink& file) {
   const FilmEstimate& film = run.rendering.film;
   if (film.shape.size() < 2) throw std::logic_error("film.nc is for images");
   const ImageShape shape(film.shape);
-  Writer whole = Writer::create();
+  const std::vector<FilmLayer> layers = layers_of(run.rendering);
+  Writer whole = Writer::create(sizeof(double) * layers.size() * shape.pixels() * shape.channels);
   write_facts(whole, run);
   whole.dimension("y", shape.height);
   whole.dimension("x", shape.width);
   whole.dimension("channel", shape.channels);
   whole.names("channel", "channel", channel_names(shape.channels), "Y, or linear Rec. 709");
-  for (const FilmLayer& layer : layers_of(run.rendering)) write_layer(whole, layer, shape);
+  for (const FilmLayer& layer : layers) write_layer(whole, layer, shape);
   write_sealed(
       [&](const ByteSink& bytes) {
         whole.take(bytes);

@@ -26,7 +26,9 @@ void check(int status, std::string_view what);
 // A file or one of its groups, that is written.  Names of dimensions are looked up in the group.
 class Writer {
  public:
-  static Writer create();  // an empty file; take() ends it
+  // An empty file, for about so many bytes of numbers; take() ends it.  Throws std::bad_alloc where
+  // they would not fit: the library does not live through that.
+  static Writer create(std::size_t bytes);
 
   Writer group(const std::string& name) const;
   void dimension(const std::string& name, std::size_t length) const;

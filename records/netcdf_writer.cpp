@@ -3,8 +3,10 @@
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <new>
 #include <numeric>
 
 #include "records/netcdf.h"
@@ -15,9 +17,17 @@ namespace {
 
 constexpr std::size_t first_size = 1 << 16;
 
+// The file grows by being copied, and each variable has parts of its own that wait for it.  Much is
+// not asked for: it becomes smaller, and a run that needs much memory has looked before it began.
+void require_memory(std::size_t bytes) {
+  constexpr std::size_t copies = 4, beside = 24 << 20, much = 32 << 20;
+  ::operator delete(::operator new(copies* std::min(bytes, much) + beside));
+}
+
 }  // namespace
 
-Writer Writer::create() {
+Writer Writer::create(std::size_t bytes) {
+  require_memory(bytes);
   int id = -1;
   check(nc_create_mem("wanderlight", NC_NETCDF4, first_size, &id), "a file in memory");
   return Writer(id);

@@ -54,14 +54,13 @@ void write_run(const RunRecord& run, const description::Scene& scene,
     stage_image(run, exposure, directory, files);
   else
     stage_row(run, scene, directory, files);
-  StagedFile record(directory / "run.json",
-                    [&](const ByteSink& file) { write_json(run, 1, file); });
-  for (StagedFile& file : files) file.commit();
+  files.emplace_back(directory / "run.json",
+                     [&](const ByteSink& file) { write_json(run, 1, file); });
+  StagedFile::commit_together(files);
   if (image)
     remove_others(directory, of_rows);
   else
     remove_others(directory, of_images);
-  record.commit();
 }
 
 bool holds_document(const std::filesystem::path& path, std::string_view schema) {

@@ -209,10 +209,18 @@ void write_root(const Writer& file, const TrajectoryRecord& record) {
   file.attribute("normalization_standard_error", record.normalization.standard_error);
 }
 
+// About as many as there will be.
+std::size_t bytes_of(const Trajectory& t) {
+  constexpr std::size_t columns = 24;
+  const std::size_t positions =
+      t.state.position.size() + t.proposed.position.size() + t.attempts.position.size();
+  return sizeof(double) * (positions + columns * t.size());
+}
+
 }  // namespace
 
 std::string to_netcdf(const TrajectoryRecord& record, const description::Scene& scene) {
-  Writer file = Writer::create();
+  Writer file = Writer::create(bytes_of(record.trajectory));
   write_root(file, record);
   write_posterior(file, record);
   write_sample_stats(file, record);

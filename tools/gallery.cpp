@@ -80,7 +80,7 @@ void write_meshes(const std::vector<GalleryMesh>& meshes, const Global& global) 
     if (error) throw OutputError(file.string(), error.value());
     files.emplace_back(file, mesh.text);
   }
-  for (StagedFile& file : files) file.commit();
+  StagedFile::commit_together(files);
 }
 
 // Pipes and devices have no folder.

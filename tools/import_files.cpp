@@ -1,8 +1,6 @@
 #include "tools/import_files.h"
 
-#include <unistd.h>
-
-#include <cerrno>
+#include <system_error>
 
 #include "records/atomic_file.h"
 
@@ -13,27 +11,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* folder_suffix = "-meshes";
-
-// A folder beside the output, gone again with this object.
-class Workshop {
- public:
-  explicit Workshop(const fs::path& out) {
-    std::string name = (out.parent_path() / ("." + out.stem().string() + ".XXXXXX")).string();
-    if (mkdtemp(name.data()) == nullptr) throw OutputError(out.string(), errno);
-    path_ = name;
-  }
-  ~Workshop() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 void move_meshes(const fs::path& from, const fs::path& to) {
   std::error_code error;
@@ -46,7 +23,7 @@ void move_meshes(const fs::path& from, const fs::path& to) {
 
 // Everything is on the disk, and valid, before anything gets its name; the scene is last.
 void write_scene(const ImportedScene& scene, const fs::path& out) {
-  const Workshop workshop(out);
+  const TemporaryFolder workshop(out);
   const fs::path folder = mesh_folder_of(out);
   if (!scene.files.empty()) fs::create_directory(workshop.path() / folder);
   for (const ImportedFile& file : scene.files) write_file(workshop.path() / file.path, file.bytes);

@@ -12,7 +12,6 @@
 #include "lab/checkpoint.h"
 #include "lab/compare/kept_comparison.h"
 #include "lab/failure.h"
-#include "records/atomic_file.h"
 #include "records/run_files.h"
 #include "tools/console.h"
 
@@ -144,6 +143,13 @@ OutputDirectory::OutputDirectory(const fs::path& path, const Global& global)
     made_.push_back(directory);
   }
   if (access(path_.c_str(), W_OK | X_OK) != 0) throw OutputError(path_.string(), errno);
+  lock_ = std::make_unique<DirectoryLock>(path_);
+  if (!lock_->is_held())
+    throw CommandFailure(
+        ExitCode::failure,
+        fmt::format("another program is writing into {}; wait for its end, or choose another place",
+                    path_.string()));
+  require_replaceable_directory(path_, global);  // another may have come to its end since
   remove_leftovers(path_);
 }
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string_view>
 #include <vector>
 
+#include "records/atomic_file.h"
 #include "tools/verb.h"
 
 namespace wander {
@@ -31,11 +33,11 @@ void require_place_of(std::string_view continued, const Global& global);
 void write_output(const std::filesystem::path& file, std::string_view bytes);
 
 // The directory of a run or comparison, made when this object is and gone again with it if nothing
-// was written.
+// was written.  Of two programs at a time, one has it.
 class OutputDirectory {
  public:
   // Throws UsageError if the directory may not be replaced, OutputError if nothing can be written
-  // there; before anything is computed.
+  // there, CommandFailure if another program has it; before anything is computed.
   OutputDirectory(const std::filesystem::path& path, const Global& global);
   ~OutputDirectory();
   OutputDirectory(const OutputDirectory&) = delete;
@@ -46,6 +48,7 @@ class OutputDirectory {
  private:
   std::filesystem::path path_;
   std::vector<std::filesystem::path> made_;  // outermost first
+  std::unique_ptr<DirectoryLock> lock_;
 };
 
 }  // namespace wander

@@ -48,9 +48,7 @@ class Files {
     files_.emplace_back(directory_ / name, bytes);
     names_.insert(directory_ / name);
   }
-  void commit() {
-    for (StagedFile& file : files_) file.commit();
-  }
+  void commit() { StagedFile::commit_together(files_); }
   // Of a former comparison.
   void remove_others() const {
     std::error_code absent;

@@ -94,6 +94,7 @@ std::vector<LongRuns> ReferenceCache::load(const std::vector<int>& shape,
   std::vector<LongRuns> found;
   std::vector<fs::path> files;
   std::error_code none;
+  remove_leftovers(folder());
   for (const auto& entry : fs::directory_iterator(folder(), none))
     if (entry.path().filename().string().starts_with(prefix_of(provenance_, max_vertices_)) &&
         entry.path().extension() == ending && entry.is_regular_file(none))

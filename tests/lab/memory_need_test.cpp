@@ -91,6 +91,22 @@ TEST_F(MemoryOfRuns, IsSaidWhereItIsMuch) {
   EXPECT_HAS(wander("render box.json -m mlt -b 10k -o b -v").err, "the run needs about 0.");
 }
 
+// The netCDF library dies where there is no more; a limit within reach of what the program takes.
+TEST_F(MemoryOfRuns, ThatTheTrajectoryFileHasNotIsSaid) {
+  int refused = 0;
+  for (int kilobytes = 120'000; kilobytes < 180'000; kilobytes += 1'500) {
+    const Outcome outcome =
+        shell("ulimit -v " + std::to_string(kilobytes) +
+              "; \"$WANDER\" trace box.json --steps 30 -t 1 -q -o steps.nc --force");
+    if (outcome.exit_code == 127) continue;  // the program itself could not be loaded
+    EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.exit_code;
+    if (outcome.exit_code == 0) continue;
+    EXPECT_EQ(outcome.err, "error: out of memory\n");
+    ++refused;
+  }
+  EXPECT_GT(refused, 0);
+}
+
 TEST_F(MemoryOfRuns, LetsNoMoreThreadsStartThanThereIsRoomFor) {
   const Outcome few =
       shell("ulimit -v 900000; \"$WANDER\" render box.json -m bdpt -b 20k -t 500 -q --json -o few");

@@ -237,6 +237,20 @@ TEST(CarriedOn, AnInterruptedSeedPassLosesNothing) {
   expect_same(drive(*again.run, later, kept.back().headway), expected);
 }
 
+// Though the chains that show it make all samples of a small budget before they look up.
+TEST(CarriedOn, AnInterruptedSeedPassIsNotComplete) {
+  Session session = session_of(2);
+  session.budget = SampleBudget{640};
+  std::atomic<bool> interrupted = false;
+  session.interrupted = &interrupted;
+  const Keeper keeper{[&](const Headway&, const StateWriter&) { interrupted = true; }, 1e-9, 1e-9};
+  wander::Run stopped(session);
+  const InWorld cut("mlt", stopped);
+  const Rendering shown = drive(*cut.run, stopped, {}, keeper);
+  EXPECT_EQ(shown.samples, 640U);
+  EXPECT_FALSE(shown.complete);
+}
+
 // A run is the same however far it was sent first.
 TEST(CarriedOn, IndependentSamplesToALargerBudgetAreThoseOfOneRun) {
   Session session = session_of(2);

@@ -129,6 +129,48 @@ TEST_F(Output, LeftoversGoAndFilesInUseStay) {
   remove_leftovers(folder / "nowhere");
 }
 
+// Whatever is written next beside them; what another program works on is locked and stays.
+TEST_F(Output, LeftoversGoWithTheNextFile) {
+  write_file(folder / ".wander-1-0.tmp", "of a program that was killed");
+  fs::create_directory(folder / ".wander-1-1.tmp");
+  write_file(folder / ".wander-1-1.tmp" / "mesh", "half");
+  const StagedFile staged(folder / "b", "in use");
+  write_file(folder / "a", "whole");
+  EXPECT_EQ(names().size(), 2U);
+  EXPECT_EQ(contents(folder / "a"), "whole");
+}
+
+TEST_F(Output, ATemporaryFolderStaysWhileItIsInUse) {
+  {
+    const TemporaryFolder workshop(folder / "a");
+    write_file(folder / "a", "whole");
+    EXPECT_TRUE(fs::is_directory(workshop.path()));
+    EXPECT_TRUE(is_temporary(workshop.path()));
+  }
+  EXPECT_EQ(names(), std::vector<std::string>{"a"});
+}
+
+TEST_F(Output, OneHasTheLockOfADirectory) {
+  {
+    const DirectoryLock first(folder), second(folder);
+    EXPECT_TRUE(first.is_held());
+    EXPECT_FALSE(second.is_held());
+  }
+  EXPECT_TRUE(DirectoryLock(folder).is_held());
+}
+
+TEST_F(Output, FilesAreCommittedTogether) {
+  write_file(folder / "a", "before");
+  std::vector<StagedFile> files;
+  files.emplace_back(folder / "a", "after");
+  files.emplace_back(folder / "b", "new");
+  EXPECT_EQ(contents(folder / "a"), "before");
+  StagedFile::commit_together(files);
+  EXPECT_EQ(contents(folder / "a"), "after");
+  EXPECT_EQ(contents(folder / "b"), "new");
+  EXPECT_EQ(names().size(), 2U);
+}
+
 TEST_F(Output, AStagedFileThatIsNotCommittedVanishes) {
   { const StagedFile staged(folder / "a", "bytes"); }
   EXPECT_TRUE(names().empty());

@@ -268,9 +268,9 @@ TEST_F(TrajectoryFile, WithAByteThatIsDamagedIsRefused) {
 }
 
 TEST_F(TrajectoryFile, OfAnotherKindIsRefused) {
-  netcdf::Writer empty = netcdf::Writer::create();
+  netcdf::Writer empty = netcdf::Writer::create(0);
   EXPECT_NE(message(sealed(empty.take())).find("format"), std::string::npos);
-  netcdf::Writer other = netcdf::Writer::create();
+  netcdf::Writer other = netcdf::Writer::create(0);
   other.attribute("format", "something-else/1");
   EXPECT_NE(message(sealed(other.take())).find("its format is something-else/1"),
             std::string::npos);

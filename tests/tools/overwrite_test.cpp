@@ -55,6 +55,17 @@ TEST_F(Overwriting, WhatAKilledRunLeftBehindIsNoOutputAndGoes) {
   EXPECT_TRUE(exists("other/.wander-4711-0.tmp"));
 }
 
+TEST_F(Overwriting, ADirectoryInWhichAnotherProgramIsAtWorkIsLeftToIt) {
+  fs::create_directory(folder / "out");
+  for (const char* command : {"render box.json -m pt -b 1k -o out -q --force",
+                              "compare box.json -m pt -b 1k --replicates 2 -o out -q"}) {
+    const Outcome outcome = shell(std::string("flock out \"$WANDER\" ") + command);
+    expect_one_fault(outcome, 1, {"another program is writing into out"});
+    EXPECT_TRUE(fs::is_empty(folder / "out"));
+  }
+  EXPECT_EQ(wander("render box.json -m pt -b 1k -o out -q").exit_code, 0);
+}
+
 TEST_F(Overwriting, AComparisonIsReplacedOnlyWithForce) {
   const std::string compare = "compare box.json -m pt,bdpt -b 1k --replicates 2 -q -o out";
   ASSERT_EQ(wander(compare).exit_code, 0);
