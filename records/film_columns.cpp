@@ -33,7 +33,8 @@ bool FilmColumns::stays(int depth, ordered_json::parse_event_t event, const orde
   }
   if (!limit_.keeps(depth, event)) return false;
   // At the level of a list's elements there are as many keys as lists they are in.
-  if (event != Event::value || place_.empty() || place_.front() != "film" || level != place_.size() + 1)
+  if (event != Event::value || place_.empty() || place_.front() != "film" ||
+      level != place_.size() + 1)
     return true;
   if (place_.size() == 2) return !take(film_, place_.back(), parsed);
   if (place_.size() != 3) return true;
