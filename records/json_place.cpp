@@ -33,7 +33,7 @@ void JsonPlace::refuse(std::string_view what) const {
 }
 
 JsonPlace JsonPlace::inside(const ordered_json& value, std::string_view token) const {
-  return JsonPlace(value, fmt::format("{}/{}", pointer_, token));
+  return JsonPlace(value, fmt::format("{}{}", pointer_, token));
 }
 
 std::optional<JsonPlace> JsonPlace::find(std::string_view key) const {
@@ -60,7 +60,7 @@ std::vector<JsonPlace> JsonPlace::elements() const {
   if (!value_->is_array()) refuse("a list is expected");
   std::vector<JsonPlace> elements;
   for (std::size_t i = 0; i < value_->size(); ++i)
-    elements.push_back(inside((*value_)[i], std::to_string(i)));
+    elements.push_back(inside((*value_)[i], "/" + std::to_string(i)));
   return elements;
 }
 
@@ -74,7 +74,7 @@ std::vector<double> JsonPlace::numbers() const {
   std::vector<double> numbers;
   for (const ordered_json& element : *value_) {
     if (!element.is_number() && !element.is_null())
-      inside(element, std::to_string(numbers.size())).refuse("a number or null is expected");
+      inside(element, "/" + std::to_string(numbers.size())).refuse("a number or null is expected");
     numbers.push_back(element.is_null() ? std::numeric_limits<double>::quiet_NaN()
                                         : element.get<double>());
   }
