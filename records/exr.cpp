@@ -29,6 +29,7 @@
 #include "records/exr_header.h"
 #include "records/film_facts.h"
 #include "records/film_layers.h"
+#include "scenes/format/json_text.h"
 
 namespace wander {
 
@@ -247,13 +248,13 @@ RunRecord run_in(const std::filesystem::path& path) {
 // What the readers above say becomes a fault of the file; what the library says is told in our own words.
 template <class Reading>
 auto read_from(const std::filesystem::path& path, Reading&& reading) {
-  const auto refuse = [&](const char* what) {
+  const auto refuse = [&](std::string_view what) {
     throw RunFileError(fmt::format("{}: not a film of this program: {}", path.string(), what));
   };
   try {
     return reading();
   } catch (const std::runtime_error& problem) {
-    refuse(problem.what());
+    refuse(printable(problem.what()));  // names of channels may be anything
   } catch (const Iex::BaseExc&) {
     refuse("its header or its pixels are damaged, cut short or of another kind");
   }

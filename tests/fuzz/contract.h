@@ -1,5 +1,6 @@
-// What the program owes to whoever gives it a file, whatever is in it: it is read, or refused by the
-// failures that become exit code 3, with lines `FILE: PLACE: WHAT` in the program's own words.
+// What the program owes to whoever gives it a file, whatever is in it: it is read, or refused by
+// the failures that become exit code 3, with lines `FILE: PLACE: WHAT` in the program's own
+// words.
 #pragma once
 
 #include <exception>

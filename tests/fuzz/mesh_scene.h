@@ -1,4 +1,5 @@
-// A scene that wants all that a mesh may have: its triangles, its normals and its places in a picture.
+// A scene that wants all that a mesh may have: its triangles, its normals and its places in a
+// picture.
 #pragma once
 
 #include <fmt/format.h>

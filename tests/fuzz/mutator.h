@@ -1,5 +1,5 @@
-// Faulty files made of sound ones, the same ones whenever they are made: bytes are flipped, cut out, doubled or
-// replaced, and tokens and pieces of other files put in.
+// Faulty files made of sound ones, the same ones whenever they are made: bytes are flipped, cut
+// out, doubled or replaced, and tokens and pieces of other files put in.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// Input of the targets that read netCDF: text of netcdf_text.h becomes a sealed file, other bytes are one.
+// Input of the targets that read netCDF: text of netcdf_text.h becomes a sealed file, other
+// bytes are one.
 #pragma once
 
 #include <filesystem>

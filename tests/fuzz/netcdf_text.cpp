@@ -84,7 +84,8 @@ class NetcdfText {
   std::vector<Number> values(const Writer::Dimensions& dimensions, const std::string& numbers) {
     std::size_t size = 1;
     for (const std::string& dimension : dimensions) {
-      const std::size_t length = lengths_[dimension];
+      if (!lengths_.contains(dimension)) throw Error("an unknown dimension");
+      const std::size_t length = lengths_.at(dimension);
       if (length > most_values || (size *= length) > most_values) throw Error("too many values");
     }
     const std::vector<std::string> given = list_of(numbers);

@@ -1,4 +1,5 @@
-// Files that only the version of the program that wrote them reads: @VERSION@ stands for it in an input.
+// Files that only the version of the program that wrote them reads: @VERSION@ stands for it in
+// an input.
 #pragma once
 
 #include <string>

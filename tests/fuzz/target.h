@@ -1,5 +1,6 @@
-// A kind of file that anybody may have written, and how the program comes to read it.  Each is driven by
-// libFuzzer (libfuzzer.cpp) and, in the quick suite, by a few mutations of its corpus (fuzz_test.cpp).
+// A kind of file that anybody may have written, and how the program comes to read it.  Each is
+// driven by libFuzzer (libfuzzer.cpp) and, in the quick suite, by a few mutations of its corpus
+// (fuzz_test.cpp).
 #pragma once
 
 #include <filesystem>
