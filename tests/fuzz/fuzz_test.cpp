@@ -49,7 +49,7 @@ TEST_P(HostileInput, IsReadOrRefusedInOurOwnWords) {
 INSTANTIATE_TEST_SUITE_P(Fuzz, HostileInput,
                          testing::Values(Case{checkpoint_target, 5000}, Case{exr_target, 1000},
                                          Case{film_target, 1500}, Case{mitsuba_target, 4000},
-                                         Case{obj_target, 4000}, Case{ply_target, 4000},
+                                         Case{obj_target, 1000}, Case{ply_target, 1000},
                                          Case{reference_target, 6000}, Case{run_target, 6000},
                                          Case{scene_target, 4000}, Case{texture_target, 1000},
                                          Case{trajectory_target, 1000}),
