@@ -20,6 +20,8 @@ struct Field {
   const char* key;
   Value Kind::*value;
 };
+template <class Kind, class Value>
+Field(const char*, Value Kind::*) -> Field<Kind, Value>;  // which clang 14 does not find by itself
 
 // What is wrong with a shape that conforms to the schema.
 struct Flaw {

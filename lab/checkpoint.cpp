@@ -12,9 +12,11 @@
 #include "lab/failure.h"
 #include "lab/packing.h"
 #include "records/atomic_file.h"
+#include "records/json_place.h"
 #include "records/run_record.h"
 #include "records/seal.h"
 #include "records/version.h"
+#include "scenes/format/json_text.h"
 
 namespace wander {
 
@@ -40,6 +42,8 @@ class Refusal {
 
 // Into so many bytes; none if they are not what is packed there.
 std::optional<std::string> unpacked(std::string_view bytes, std::size_t size) {
+  constexpr std::size_t best_compression = 2048;  // more than deflate reaches
+  if (size / best_compression > bytes.size()) return std::nullopt;
   std::string state(size, '\0');
   auto found = static_cast<uLongf>(size);
   const int result =
@@ -66,25 +70,25 @@ ordered_json header_of(const Checkpoint& c, std::uint64_t state_bytes) {
       {"looks", {{"target", h.target}, {"seed_goal", h.seed_goal}, {"goal", h.goal}}}};
 }
 
-Checkpoint from_header(const ordered_json& header) {
+Checkpoint from_header(const JsonPlace& header) {
   Checkpoint c;
-  const ordered_json& scene = header.at("scene");
-  scene.at("source").get_to(c.scene_source);
-  scene.at("sha256").get_to(c.scene_sha256);
-  scene.at("text").get_to(c.scene_text);
-  header.at("method").get_to(c.method);
-  header.at("budget").get_to(c.budget);
-  header.at("dials").get_to(c.dials);
-  header.at("seed").get_to(c.seed);
+  const JsonPlace scene = header.at("scene");
+  c.scene_source = scene.at("source");
+  c.scene_sha256 = scene.at("sha256");
+  c.scene_text = scene.at("text");
+  c.method = header.at("method");
+  c.budget = header.at("budget");
+  c.dials = header.at("dials").get<std::map<std::string, std::string>>();
+  c.seed = header.at("seed");
   Headway& h = c.run.headway;
-  header.at("samples").get_to(h.samples);
-  header.at("seconds").get_to(h.wall_seconds);
-  header.at("processor_seconds").get_to(h.processor_seconds);
-  header.at("seed_seconds").get_to(h.seed_seconds);
-  const ordered_json& looks = header.at("looks");
-  looks.at("target").get_to(h.target);
-  looks.at("seed_goal").get_to(h.seed_goal);
-  looks.at("goal").get_to(h.goal);
+  h.samples = header.at("samples");
+  h.wall_seconds = header.at("seconds");
+  h.processor_seconds = header.at("processor_seconds");
+  h.seed_seconds = header.at("seed_seconds");
+  const JsonPlace looks = header.at("looks");
+  h.target = looks.at("target");
+  h.seed_goal = looks.at("seed_goal");
+  h.goal = looks.at("goal");
   return c;
 }
 
@@ -143,19 +147,20 @@ Checkpoint read_checkpoint(const fs::path& directory, std::string_view remedy) {
   if (!unbroken) refuse("the checkpoint is damaged or cut short");
   std::string_view bytes = *unbroken;
   if (const std::string_view found = take_line(bytes); found != format)
-    refuse(fmt::format("its format is {}, and this program reads {}", found, format));
+    refuse(fmt::format("its format is {}, and this program reads {}", excerpt(found), format));
   try {
-    const ordered_json header = ordered_json::parse(take_line(bytes));
+    const ordered_json document = parsed_json(take_line(bytes));
+    const JsonPlace header(document);
     if (const auto version = header.at("version").get<std::string>(); version != program_version())
-      refuse(fmt::format("it is of version {} of the program, and this is {}", version,
+      refuse(fmt::format("it is of version {} of the program, and this is {}", excerpt(version),
                          program_version()));
     Checkpoint checkpoint = from_header(header);
     checkpoint.turned();
-    auto state = unpacked(bytes, header.at("state_bytes").get<std::size_t>());
+    auto state = unpacked(bytes, header.at("state_bytes"));
     if (!state) refuse("its state cannot be read");
     checkpoint.run.state = *std::move(state);
     return checkpoint;
-  } catch (const ordered_json::exception& problem) {
+  } catch (const JsonPlaceError& problem) {
     refuse(fmt::format("its header cannot be read ({})", problem.what()));
   } catch (const UsageError& problem) {
     refuse(problem.what());

@@ -292,7 +292,11 @@ void restore(LiveRun& run, const std::string& state) {
   Bytes buffer(state);
   std::istream bytes(&buffer);
   cereal::BinaryInputArchive archive(bytes);
-  run.load(archive);
+  try {
+    run.load(archive);
+  } catch (const std::exception&) {  // whose words are those of a library
+    throw std::runtime_error("it ends too early, or promises more than it holds");
+  }
   if (bytes.peek() != std::istream::traits_type::eof())
     throw std::runtime_error("the state of a run has bytes that are not its own");
 }

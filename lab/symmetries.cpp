@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 #include "lab/engine.h"
 #include "lab/failure.h"
@@ -231,7 +230,7 @@ std::vector<SymmetryCheck> check_symmetries(const Job& job,
                                             const Session& session,
                                             const std::function<void()>& done) {
   std::vector<SymmetryCheck> checks;
-  for (const Precision precision : std::views::reverse(precisions)) {
+  for (const Precision precision : {Precision::of_double, Precision::of_float}) {
     Dials dials = job.dials();
     dials.precision = precision;
     for (const Method& method : methods()) {

@@ -1,5 +1,6 @@
 #include "records/exr.h"
 
+#include <IexBaseExc.h>
 #include <ImathBox.h>
 #include <ImfChannelList.h>
 #include <ImfDoubleAttribute.h>
@@ -25,8 +26,10 @@
 #include <vector>
 
 #include "core/film_layout.h"
+#include "records/exr_header.h"
 #include "records/film_facts.h"
 #include "records/film_layers.h"
+#include "scenes/format/json_text.h"
 
 namespace wander {
 
@@ -229,6 +232,7 @@ void read_rows(Imf::InputFile& file, const std::vector<FilmLayerSlot>& slots, co
 }
 
 RunRecord run_in(const std::filesystem::path& path) {
+  require_plausible_header(path);
   Imf::InputFile file(path.c_str(), 0);
   const Imf::Header& header = file.header();
   const Size size = plausible_size(header, std::filesystem::file_size(path));
@@ -241,15 +245,20 @@ RunRecord run_in(const std::filesystem::path& path) {
   return run;
 }
 
-// What the library and the readers above say becomes a fault of the file.
+// What the readers above say becomes a fault of the file; what the library says is told in our own words.
 template <class Reading>
 auto read_from(const std::filesystem::path& path, Reading&& reading) {
+  const auto refuse = [&](std::string_view what) {
+    throw RunFileError(fmt::format("{}: not a film of this program: {}", path.string(), what));
+  };
   try {
     return reading();
-  } catch (const std::exception& problem) {
-    throw RunFileError(
-        fmt::format("{}: not a film of this program: {}", path.string(), problem.what()));
+  } catch (const std::runtime_error& problem) {
+    refuse(printable(problem.what()));  // names of channels may be anything
+  } catch (const Iex::BaseExc&) {
+    refuse("its header or its pixels are damaged, cut short or of another kind");
   }
+  return decltype(reading()){};
 }
 
 }  // namespace
@@ -280,6 +289,7 @@ RunRecord read_exr(const std::filesystem::path& path) {
 
 std::optional<PlaneWindow> read_window(const std::filesystem::path& path) {
   return read_from(path, [&]() -> std::optional<PlaneWindow> {
+    require_plausible_header(path);
     const Imf::InputFile file(path.c_str(), 0);
     const auto* low = file.header().findTypedAttribute<Imf::V2dAttribute>("window_low");
     const auto* high = file.header().findTypedAttribute<Imf::V2dAttribute>("window_high");

@@ -25,15 +25,16 @@ ordered_json FilmColumns::read(const std::filesystem::path& path) {
 }
 
 bool FilmColumns::stays(int depth, ordered_json::parse_event_t event, const ordered_json& parsed) {
-  using enum ordered_json::parse_event_t;
+  using Event = ordered_json::parse_event_t;
   const auto level = static_cast<std::size_t>(depth);
-  if (event == key) {
+  if (event == Event::key) {
     place_.resize(level);
     place_.back() = parsed.get<std::string>();
   }
   if (!limit_.keeps(depth, event)) return false;
   // At the level of a list's elements there are as many keys as lists they are in.
-  if (event != value || place_.empty() || place_.front() != "film" || level != place_.size() + 1)
+  if (event != Event::value || place_.empty() || place_.front() != "film" ||
+      level != place_.size() + 1)
     return true;
   if (place_.size() == 2) return !take(film_, place_.back(), parsed);
   if (place_.size() != 3) return true;

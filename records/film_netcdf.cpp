@@ -134,6 +134,8 @@ RunRecord run_in(const Reader::Group& file) {
   FilmEstimate& film = run.rendering.film;
   film.shape = shape_in(file);
   const std::vector<std::string> names = file.variables();
+  file.require_room("the film", static_cast<double>(ImageShape(film.shape).pixels()) *
+                                    static_cast<double>(names.size() * sizeof(double)));
   for (const FilmLayerSlot& slot : slots_of(run.rendering, {names.begin(), names.end()}))
     read_layer(file, slot, ImageShape(film.shape));
   sum_up_mutations(run.rendering);
@@ -190,7 +192,7 @@ RunRecord read_film_netcdf(const std::filesystem::path& path) {
     return run_in(reader.root());
   } catch (const std::runtime_error& problem) {
     throw RunFileError(
-        fmt::format("{}: not a film of format {}: {}", path.string(), format, problem.what()));
+        fmt::format("{}: {}; not a film of format {}", path.string(), problem.what(), format));
   }
 }
 

@@ -13,10 +13,10 @@ class KeyLimit {
 
   // For a callback of the parser, at each of its events: false where a key is one too many.
   bool keeps(int depth, nlohmann::ordered_json::parse_event_t event) {
-    using enum nlohmann::ordered_json::parse_event_t;
+    using Event = nlohmann::ordered_json::parse_event_t;
     const auto level = static_cast<std::size_t>(depth);
-    if (event == object_start) keys_.resize(level);
-    if (event != key) return true;
+    if (event == Event::object_start) keys_.resize(level);
+    if (event != Event::key) return true;
     keys_.resize(level);
     return ++keys_.back() <= most;
   }

@@ -14,7 +14,7 @@
 
 namespace wander::netcdf {
 
-// what() = "VARIABLE: what the library says"
+// what() = "VARIABLE: what is wrong", not in the words of the library
 class Error : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -100,7 +100,8 @@ class Reader {
 
   class Group {
    public:
-    explicit Group(int id) : id_(id) {}
+    // In a file of so many bytes.
+    Group(int id, std::size_t file_bytes) : id_(id), file_bytes_(file_bytes) {}
 
     Group group(const std::string& name) const;
     bool has_group(const std::string& name) const;
@@ -118,6 +119,9 @@ class Reader {
     double number(const std::string& name) const;
     std::uint64_t count(const std::string& name) const;
 
+    // Throws where the file is too small to hold so many bytes, however they are compressed: what is
+    // promised costs no memory.
+    void require_room(const std::string& name, double bytes) const;
     // The variable must hold exactly so many values.
     void read(const std::string& name, std::size_t size, std::vector<double>& values) const;
     void read(const std::string& name, std::size_t size, std::vector<std::int32_t>& values) const;
@@ -128,13 +132,15 @@ class Reader {
                    std::vector<double>& values) const;
 
    private:
-    int variable(const std::string& name, std::size_t size) const;
+    int variable(const std::string& name, std::size_t size, std::size_t bytes_each) const;
     int id_;
+    std::size_t file_bytes_;
   };
-  Group root() const { return Group(id_); }
+  Group root() const { return Group(id_, file_bytes_); }
 
  private:
   int id_ = -1;
+  std::size_t file_bytes_;
 };
 
 }  // namespace wander::netcdf

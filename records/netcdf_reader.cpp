@@ -5,11 +5,37 @@
 #include <sstream>
 
 #include "records/netcdf.h"
+#include "scenes/format/json_text.h"
 
 namespace wander::netcdf {
 
+namespace {
+
+const char* words_of(int status) {
+  switch (status) {
+    case NC_ENOTVAR:
+    case NC_ENOTATT:
+    case NC_EBADDIM:
+    case NC_ENOGRP:
+      return "it is missing";
+    case NC_ECHAR:
+    case NC_EBADTYPE:
+      return "it is of another kind";
+    case NC_ERANGE:
+      return "a number in it is too large";
+    case NC_ENOTNC:
+      return "it is not in this format";
+    case NC_ENOMEM:
+      return "there is no memory for it";
+    default:
+      return "it is damaged, or cannot be written";
+  }
+}
+
+}  // namespace
+
 void check(int status, std::string_view what) {
-  if (status != NC_NOERR) throw Error(fmt::format("{}: {}", what, nc_strerror(status)));
+  if (status != NC_NOERR) throw Error(fmt::format("{}: {}", printable(what), words_of(status)));
 }
 
 namespace {
@@ -42,7 +68,7 @@ void require_one_number(int group, const std::string& name) {
 
 }  // namespace
 
-Reader::Reader(std::string_view bytes) {
+Reader::Reader(std::string_view bytes) : file_bytes_(bytes.size()) {
   // The library only reads from memory that it is given.
   void* memory = const_cast<char*>(bytes.data());
   check(nc_open_mem("wanderlight", NC_NOWRITE, bytes.size(), memory, &id_), "the file");
@@ -53,7 +79,7 @@ Reader::~Reader() { nc_close(id_); }
 Reader::Group Reader::Group::group(const std::string& name) const {
   int id = -1;
   check(nc_inq_grp_ncid(id_, name.c_str(), &id), name);
-  return Group(id);
+  return Group(id, file_bytes_);
 }
 
 bool Reader::Group::has_group(const std::string& name) const {
@@ -139,7 +165,14 @@ std::uint64_t Reader::Group::count(const std::string& name) const {
   return value;
 }
 
-int Reader::Group::variable(const std::string& name, std::size_t size) const {
+void Reader::Group::require_room(const std::string& name, double bytes) const {
+  constexpr double best_compression = 2048;  // more than deflate reaches
+  if (bytes > best_compression * static_cast<double>(file_bytes_))
+    throw Error(fmt::format("{}: the file is too small to hold it", printable(name)));
+}
+
+int Reader::Group::variable(const std::string& name, std::size_t size,
+                            std::size_t bytes_each) const {
   std::size_t held = 1;
   for (const std::size_t length : lengths(name)) {
     if (length > most_values || held * length > most_values)
@@ -148,6 +181,7 @@ int Reader::Group::variable(const std::string& name, std::size_t size) const {
   }
   if (held != size)
     throw Error(fmt::format("{}: it holds {} values, expected are {}", name, held, size));
+  require_room(name, static_cast<double>(held) * static_cast<double>(bytes_each));
   int id = -1;
   check(nc_inq_varid(id_, name.c_str(), &id), name);
   return id;
@@ -155,19 +189,19 @@ int Reader::Group::variable(const std::string& name, std::size_t size) const {
 
 void Reader::Group::read(const std::string& name, std::size_t size,
                          std::vector<double>& values) const {
-  const int id = variable(name, size);
+  const int id = variable(name, size, sizeof values[0]);
   values.resize(size);
   check(nc_get_var_double(id_, id, values.data()), name);
 }
 void Reader::Group::read(const std::string& name, std::size_t size,
                          std::vector<std::int32_t>& values) const {
-  const int id = variable(name, size);
+  const int id = variable(name, size, sizeof values[0]);
   values.resize(size);
   check(nc_get_var_int(id_, id, values.data()), name);
 }
 void Reader::Group::read(const std::string& name, std::size_t size,
                          std::vector<std::uint8_t>& values) const {
-  const int id = variable(name, size);
+  const int id = variable(name, size, sizeof values[0]);
   values.resize(size);
   check(nc_get_var_uchar(id_, id, values.data()), name);
 }
@@ -181,7 +215,12 @@ void Reader::Group::read_part(const std::string& name, std::size_t first, std::s
   start[0] = first;
   counts[0] = count;
   std::size_t size = 1;
-  for (const std::size_t length : counts) size *= length;
+  double bytes = sizeof values[0];
+  for (const std::size_t length : counts) {
+    bytes *= static_cast<double>(length);
+    size *= length;
+  }
+  require_room(name, bytes);
   values.resize(size);
   check(nc_get_vara_double(id_, id, start.data(), counts.data(), values.data()), name);
 }

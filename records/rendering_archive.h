@@ -9,8 +9,10 @@
 #include <cereal/types/vector.hpp>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 
+#include "records/bounded_archive.h"
 #include "records/rendering.h"
 
 namespace wander {
@@ -82,11 +84,10 @@ std::string archived(const Value& value) {
   archive(value);
   return std::move(bytes).str();
 }
-// Throws a std::exception if they are no such value.
+// Throws ArchiveError if they are no such value.
 template <class Value>
-Value from_archive(std::string bytes) {
-  std::istringstream stream(std::move(bytes));
-  cereal::BinaryInputArchive archive(stream);
+Value from_archive(std::string_view bytes) {
+  BoundedArchive archive(bytes);
   Value value;
   archive(value);
   return value;

@@ -11,6 +11,7 @@
 #include "records/exr.h"
 #include "records/film_columns.h"
 #include "records/film_netcdf.h"
+#include "records/json_place.h"
 #include "records/json_text.h"
 
 namespace wander {
@@ -313,8 +314,9 @@ std::optional<RunRecord> find_run_alone(const std::filesystem::path& path) {
   if (is_film_netcdf(path)) return read_film_netcdf(path);
   FilmColumns columns;
   const ordered_json document = columns.read(path);
-  if (!document.is_object() || document.value("schema", "") != run_schema) return std::nullopt;
-  RunRecord run = run_from_json(document, path.string());
+  if (!document.is_object() || document.value("schema", ordered_json()) != run_schema)
+    return std::nullopt;
+  RunRecord run = run_from_json(JsonPlace(document), path.string());
   try {
     columns.move_to(run.rendering);
   } catch (const std::runtime_error& problem) {

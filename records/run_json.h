@@ -12,6 +12,8 @@
 
 namespace wander {
 
+class JsonPlace;
+
 inline constexpr const char* run_schema = "wanderlight-run/1";
 
 nlohmann::ordered_json to_json(const RunRecord& run);
@@ -24,12 +26,12 @@ void write_json(const RunRecord& run, int indent, const ByteSink& file);
 nlohmann::ordered_json to_json(const FilmEstimate& film, int dimension);
 // The "provenance" of a run or comparison, and its way back; what is not known is left out.
 nlohmann::ordered_json to_json(const Origin& origin);
-Origin origin_from_json(const nlohmann::ordered_json& document);
+Origin origin_from_json(const JsonPlace& document);
 
 // A document that is not such a run throws RunFileError; `place` names it in the message.
-RunRecord run_from_json(const nlohmann::ordered_json& document, const std::string& place);
+RunRecord run_from_json(const JsonPlace& document, const std::string& place);
 // Throws a std::exception if it is not a film.
-FilmEstimate film_from_json(const nlohmann::ordered_json& json);
+FilmEstimate film_from_json(const JsonPlace& json);
 
 // Reads run.json, the directory that holds it, a film.exr or a film.nc; none if the file is
 // something else.  The film of an image comes from the film.nc beside its run.json; without that

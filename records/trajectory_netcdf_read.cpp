@@ -8,6 +8,7 @@
 #include "records/seal.h"
 #include "records/trajectory_layout.h"
 #include "records/trajectory_netcdf.h"
+#include "scenes/format/json_text.h"
 
 namespace wander {
 
@@ -109,7 +110,7 @@ Origin origin_from(const Group& root) {
 
 TrajectoryRecord record_from(const Group& root) {
   if (root.text("format") != trajectory_format)
-    throw netcdf::Error(fmt::format("its format is {}", root.text("format")));
+    throw netcdf::Error(fmt::format("format: it is {}", excerpt(root.text("format"))));
   TrajectoryRecord record;
   record.trajectory = trajectory_from(root);
   record.complete = root.count("complete") == 1;
@@ -162,8 +163,8 @@ auto read_whole(const std::filesystem::path& path, Part&& part) {
     const netcdf::Reader reader(*whole);
     return part(reader.root());
   } catch (const netcdf::Error& problem) {
-    throw RunFileError(fmt::format("{}: not a trajectory of format {}: {}", path.string(),
-                                   trajectory_format, problem.what()));
+    throw RunFileError(fmt::format("{}: {}; not a trajectory of format {}", path.string(),
+                                   problem.what(), trajectory_format));
   }
 }
 

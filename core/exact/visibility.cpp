@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 namespace wander::exact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double relative_tolerance = 1e-13;
 
 double size_of(std::span<const PlaneSegment> segments) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <glm/common.hpp>
 #include <optional>
-#include <ranges>
 
 namespace wander {
 
@@ -121,9 +120,9 @@ struct Builder {
   }
 
   static Binning binning(std::span<const Part> range, int axis) {
-    const auto [low, high] = std::ranges::minmax(
-        range | std::views::transform([axis](const Part& part) { return part.center(axis); }));
-    return {axis, low, high - low};
+    const auto center = [axis](const Part& part) { return part.center(axis); };
+    const auto [first, last] = std::ranges::minmax_element(range, {}, center);
+    return {axis, center(*first), center(*last) - center(*first)};
   }
 
   // The same among the borders of the bins of each axis, and the parts put in order.
@@ -154,7 +153,8 @@ struct Builder {
       }
     }
     if (best.count > 0)
-      std::ranges::partition(range, [&](const Part& part) { return chosen.bin_of(part) < border; });
+      std::partition(range.begin(), range.end(),
+                     [&](const Part& part) { return chosen.bin_of(part) < border; });
     return best;
   }
 

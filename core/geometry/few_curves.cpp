@@ -2,8 +2,13 @@
 
 #include <limits>
 
-// The same numbers with the instructions of either processor: the loader chooses.
+// The same numbers with the instructions of either processor: the loader chooses.  (clang has no clones of
+// what is made of a template.)
+#ifdef __clang__
+#define WANDER_WIDEST_LANES
+#else
 #define WANDER_WIDEST_LANES [[gnu::target_clones("avx2", "default")]]
+#endif
 
 namespace wander {
 

@@ -93,7 +93,7 @@ auto Mesh<W>::texture_coordinates(Point p, std::int32_t primitive) const -> std:
   const auto at = [&](std::size_t corner, std::size_t axis) {
     return triangles_->coordinates[static_cast<std::size_t>(numbers[corner])][axis];
   };
-  const auto mixed = [&](std::size_t axis) {
+  const auto mixed = [&at, of_b = of_b, of_c = of_c](std::size_t axis) {
     const double first = at(0, axis);
     return first + of_b * (at(1, axis) - first) + of_c * (at(2, axis) - first);
   };

@@ -10,6 +10,7 @@
 #include "lab/compare/comparison_json.h"
 #include "lab/compare/film_files.h"
 #include "records/exr.h"
+#include "records/json_place.h"
 #include "records/key_limit.h"
 #include "records/run_json.h"
 
@@ -19,27 +20,25 @@ using nlohmann::ordered_json;
 
 namespace {
 
-void read(double& value, const ordered_json& json) {
-  value = json.is_null() ? not_known : json.get<double>();
-}
+void read(double& value, const JsonPlace& json) { value = json.number(); }
 
-void read(Measured& measured, const ordered_json& json) {
+void read(Measured& measured, const JsonPlace& json) {
   read(measured.value, json.at("value"));
   read(measured.interval.low, json.at("low"));
   read(measured.interval.high, json.at("high"));
 }
 
 template <class Record, class Value, std::size_t n>
-void read_fields(Record& record, const ordered_json& json,
+void read_fields(Record& record, const JsonPlace& json,
                  const std::array<Field<Record, Value>, n>& fields) {
   for (const auto& field : fields) read(record.*field.member, json.at(field.name));
 }
 
-void read(Contender& contender, const ordered_json& json) {
+void read(Contender& contender, const JsonPlace& json) {
   contender = {json.at("label"), json.at("method"), json.at("dial"), json.at("setting")};
 }
 
-void read(Cell& cell, const ordered_json& json) {
+void read(Cell& cell, const JsonPlace& json) {
   cell.contender = json.at("contender");
   cell.budget = json.at("budget");
   cell.replicates = json.at("replicates");
@@ -47,13 +46,13 @@ void read(Cell& cell, const ordered_json& json) {
   read_fields(cell, json, cell_numbers);
 }
 
-void read(Curve& curve, const ordered_json& json) {
+void read(Curve& curve, const JsonPlace& json) {
   curve.contender = json.at("contender");
   curve.inverse_root = json.at("inverse_root");
   read_fields(curve, json, curve_fields);
 }
 
-void read(Crossing& crossing, const ordered_json& json) {
+void read(Crossing& crossing, const JsonPlace& json) {
   crossing.ahead = json.at("ahead");
   crossing.behind = json.at("behind");
   crossing.significant = json.at("significant");
@@ -61,31 +60,29 @@ void read(Crossing& crossing, const ordered_json& json) {
   read_fields(crossing, json, crossing_fields);
 }
 
-void read(std::vector<double>& values, const ordered_json& json) {
-  for (const ordered_json& value : json) read(values.emplace_back(), value);
-}
+void read(std::vector<double>& values, const JsonPlace& json) { values = json.numbers(); }
 
-void read(Profile& profile, const ordered_json& json) {
+void read(Profile& profile, const JsonPlace& json) {
   profile.contender = json.at("contender");
   read(profile.seconds, json.at("seconds"));
   read(profile.share, json.at("share"));
 }
 
-void read(Run& run, const ordered_json& json) {
+void read(Run& run, const JsonPlace& json) {
   run.contender = json.at("contender");
   run.budget = json.at("budget");
   run.replicate = json.at("replicate");
   run.seed = json.at("seed");
   run.samples = json.at("samples");
   read(run.seconds, json.at("seconds"));
-  read(run.processor_seconds, json.value("cpu_seconds", ordered_json()));
+  run.processor_seconds = json.number_if("cpu_seconds");
   read(run.seed_seconds, json.at("seed_seconds"));
   run.seed_samples = json.at("seed_samples");
   run.command = json.at("command");
   run.film = film_from_json(json.at("film"));
 }
 
-void read(FailedRun& run, const ordered_json& json) {
+void read(FailedRun& run, const JsonPlace& json) {
   run.contender = json.at("contender");
   run.budget = json.at("budget");
   run.replicate = json.at("replicate");
@@ -94,14 +91,13 @@ void read(FailedRun& run, const ordered_json& json) {
 }
 
 template <class Record>
-void read(std::vector<Record>& records, const ordered_json& json) {
-  if (!json.is_array()) throw std::runtime_error("a list is something else");
-  for (const ordered_json& entry : json) read(records.emplace_back(), entry);
+void read(std::vector<Record>& records, const JsonPlace& json) {
+  for (const JsonPlace& entry : json.elements()) read(records.emplace_back(), entry);
 }
 
-Runs runs_from(const ordered_json& json, const std::string& place) {
+Runs runs_from(const JsonPlace& json, const std::string& place) {
   Runs runs;
-  const ordered_json& scene = json.at("scene");
+  const JsonPlace scene = json.at("scene");
   runs.provenance = {scene.at("name"),      scene.at("text"),        scene.at("sha256"),
                      json.at("dimension"),  json.at("command_line"), json.at("version"),
                      origin_from_json(json)};
@@ -110,12 +106,13 @@ Runs runs_from(const ordered_json& json, const std::string& place) {
   read(runs.contenders, json.at("contenders"));
   runs.budgets = json.at("budgets").get<std::vector<std::string>>();
   runs.replicates = json.at("replicates");
-  runs.time = json.value("time", "wall") == "cpu" ? TimeKind::processor : TimeKind::wall;
+  runs.time =
+      json.value("time", std::string("wall")) == "cpu" ? TimeKind::processor : TimeKind::wall;
   runs.reference.origin = json.at("reference").at("origin");
   runs.reference.film = film_from_json(json.at("reference").at("film"));
   read(runs.runs, json.at("runs"));
   read(runs.failures, json.at("failures"));
-  for (const ordered_json& run : json.at("details"))
+  for (const JsonPlace& run : json.at("details").elements())
     runs.details.push_back(run_from_json(run, place).rendering);
   return runs;
 }
@@ -155,11 +152,12 @@ void require_consistent(const Comparison& c) {
     require(run.film.value.size() == bins, "a film is not as large as the reference");
 }
 
-Comparison read_comparison(const ordered_json& json, const std::string& place) {
-  if (json.at("schema") != comparison_schema) throw std::runtime_error("its schema is another");
+Comparison read_comparison(const JsonPlace& json, const std::string& place) {
+  if (json.at("schema").get<std::string>() != comparison_schema)
+    json.at("schema").refuse("its schema is another");
   Comparison comparison;
   comparison.runs = runs_from(json, place);
-  for (const ordered_json& run : json.at("runs"))
+  for (const JsonPlace& run : json.at("runs").elements())
     read_fields(comparison.errors.emplace_back(), run.at("errors"), error_fields);
   read(comparison.target, json.at("target"));
   comparison.decisive = json.at("decisive_budget");
@@ -178,10 +176,12 @@ Comparison read_comparison(const ordered_json& json, const std::string& place) {
 
 Comparison comparison_from_json(const ordered_json& document, const std::string& place) {
   try {
-    return read_comparison(document, place);
-  } catch (const std::exception& problem) {
-    throw RunFileError(fmt::format("{}: not a comparison of schema {}: {}", place,
-                                   comparison_schema, problem.what()));
+    return read_comparison(JsonPlace(document), place);
+  } catch (const RunFileError&) {
+    throw;  // of one of its runs
+  } catch (const std::runtime_error& problem) {
+    throw RunFileError(fmt::format("{}: {}; not a comparison of schema {}", place, problem.what(),
+                                   comparison_schema));
   }
 }
 

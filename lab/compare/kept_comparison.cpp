@@ -14,10 +14,12 @@
 #include "lab/compare/film_loan.h"
 #include "lab/failure.h"
 #include "records/atomic_file.h"
+#include "records/json_place.h"
 #include "records/rendering_archive.h"
 #include "records/run_record.h"
 #include "records/seal.h"
 #include "records/version.h"
+#include "scenes/format/json_text.h"
 #include "scenes/format/sha256.h"
 
 namespace wander::compare {
@@ -62,10 +64,10 @@ constexpr int share_of_keeping = 20;  // one part in so many of the time
 }
 
 template <class Value>
-Value value_of(const fs::path& file, std::string body) {
+Value value_of(const fs::path& file, const std::string& body) {
   try {
-    return from_archive<Value>(std::move(body));
-  } catch (const std::exception& problem) {
+    return from_archive<Value>(body);
+  } catch (const ArchiveError& problem) {
     refuse(file, fmt::format("it cannot be read ({})", problem.what()));
   }
 }
@@ -91,15 +93,18 @@ KeptPart read_part(const fs::path& file, const std::string& part) {
   if (!unbroken) refuse(file, "it is damaged or cut short");
   std::string_view bytes = *unbroken;
   if (const std::string_view found = take_line(bytes); found != format)
-    refuse(file, fmt::format("its format is {}, and this program reads {}", found, format));
+    refuse(file,
+           fmt::format("its format is {}, and this program reads {}", excerpt(found), format));
   try {
-    const ordered_json header = ordered_json::parse(take_line(bytes));
+    const ordered_json document = parsed_json(take_line(bytes));
+    const JsonPlace header(document);
     if (const auto version = header.at("version").get<std::string>(); version != program_version())
-      refuse(file, fmt::format("it is of version {} of the program, and this is {}", version,
-                               program_version()));
-    if (header.at("part") != part) refuse(file, "it is another part of a comparison");
+      refuse(file, fmt::format("it is of version {} of the program, and this is {}",
+                               excerpt(version), program_version()));
+    if (header.at("part").get<std::string>() != part)
+      refuse(file, "it is another part of a comparison");
     return {header.at("comparison"), std::string(bytes)};
-  } catch (const ordered_json::exception& problem) {
+  } catch (const JsonPlaceError& problem) {
     refuse(file, fmt::format("its header cannot be read ({})", problem.what()));
   }
 }
@@ -123,19 +128,20 @@ std::string json_of(const Request& r) {
 
 Request request_from(const fs::path& file, const std::string& text) {
   try {
-    const ordered_json json = ordered_json::parse(text);
+    const ordered_json document = parsed_json(text);
+    const JsonPlace json(document);
     return {.scene_source = json.at("source"),
             .scene_text = json.at("text"),
             .scene_sha256 = json.at("scene"),
             .methods = json.at("methods"),
             .budgets = json.at("budgets"),
             .reference = json.at("reference"),
-            .fixed = json.at("dials"),
-            .sweeps = json.at("sweeps"),
+            .fixed = json.at("dials").get<std::vector<std::string>>(),
+            .sweeps = json.at("sweeps").get<std::vector<std::string>>(),
             .seed = json.at("seed"),
             .replicates = json.at("replicates"),
-            .target = json.at("target").is_null() ? not_known : json.at("target").get<double>()};
-  } catch (const ordered_json::exception& problem) {
+            .target = json.at("target").number()};
+  } catch (const JsonPlaceError& problem) {
     refuse(file, fmt::format("the plan cannot be read ({})", problem.what()));
   }
 }

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "records/atomic_file.h"
+#include "records/json_place.h"
 #include "records/rendering_archive.h"
 #include "records/seal.h"
 #include "scenes/format/sha256.h"
@@ -45,9 +46,10 @@ std::string all_of(const fs::path& file) {
 }
 
 // Of the first line of a file.  None if it is of another version of the program.
-std::optional<LongRuns> without_runs(const ordered_json& document, const Provenance& provenance) {
-  if (document.at("schema") != schema) throw std::runtime_error("its schema is another");
-  if (document.at("version") != provenance.version) return std::nullopt;
+std::optional<LongRuns> without_runs(const JsonPlace& document, const Provenance& provenance) {
+  if (document.at("schema").get<std::string>() != schema)
+    throw std::runtime_error("its schema is another");
+  if (document.at("version").get<std::string>() != provenance.version) return std::nullopt;
   return LongRuns{.made_by = document.at("made_by"), .runs = {}};
 }
 
@@ -58,10 +60,10 @@ std::optional<LongRuns> read(const fs::path& file, const Provenance& provenance)
   if (!unbroken) throw std::runtime_error("it is damaged or cut short");
   const std::size_t end = unbroken->find('\n');
   if (end == unbroken->npos) throw std::runtime_error("it has no beginning");
-  std::optional<LongRuns> runs =
-      without_runs(ordered_json::parse(unbroken->substr(0, end)), provenance);
+  const ordered_json document = parsed_json(unbroken->substr(0, end));
+  std::optional<LongRuns> runs = without_runs(JsonPlace(document), provenance);
   if (!runs) return runs;
-  runs->runs = from_archive<std::vector<Rendering>>(std::string(unbroken->substr(end + 1)));
+  runs->runs = from_archive<std::vector<Rendering>>(unbroken->substr(end + 1));
   require_whole(*runs);
   return runs;
 }

@@ -25,8 +25,9 @@ constexpr double evidence = 4;                    // squared standard errors
 // The reference of all checks first.
 std::vector<const Method*> methods_of_trial() {
   auto methods = methods_that([](const Method& method) { return method.makes_references; });
-  std::ranges::stable_partition(
-      methods, [](const Method* method) { return method->check == CheckRole::reference; });
+  std::stable_partition(methods.begin(), methods.end(), [](const Method* method) {
+    return method->check == CheckRole::reference;
+  });
   return methods;
 }
 std::size_t runs_of_trial() { return methods_of_trial().size() * runs_of_each; }

@@ -52,8 +52,8 @@ double degrees_of(const Constant& constant) {
 Constant from_least_squares(std::span<const GroupFindings> groups) {
   std::vector<FilmFitGroup> films;
   for (const GroupFindings& group : groups) {
-    FilmFitGroup& film = films.emplace_back(values(group.evidence->film),
-                                            static_cast<double>(group.of_seeds->samples));
+    FilmFitGroup& film = films.emplace_back(FilmFitGroup{
+        values(group.evidence->film), static_cast<double>(group.of_seeds->samples), {}});
     for (std::size_t bin = 0; bin < group.film->bins(); ++bin)
       film.deposits.push_back(group.scale * group.film->weight(bin));
   }

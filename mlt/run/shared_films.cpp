@@ -26,7 +26,7 @@ void SharedFilms::flush() {
     film.full_.clear();
   }
   std::ranges::sort(full);
-  full.erase(std::ranges::unique(full).begin(), full.end());
+  full.erase(std::unique(full.begin(), full.end()), full.end());
   for (const std::size_t tile : full) flush(tile);
 }
 

@@ -106,17 +106,20 @@ LineColumn Places::of(std::size_t byte) {
 
 std::string printable(std::string_view text) {
   std::string shown;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<unsigned char>(text[i]);
+  while (!text.empty()) {
+    const auto c = static_cast<unsigned char>(text.front());
+    const std::size_t size = character_size(text);
     // U+0080 to U+009F, which terminals may obey as well, are C2 80 to C2 9F.
-    const bool second_set =
-        c == 0xC2 && i + 1 < text.size() && static_cast<unsigned char>(text[i + 1]) < 0xA0;
+    const bool second_set = c == 0xC2 && size == 2 && static_cast<unsigned char>(text[1]) < 0xA0;
     if (second_set)
-      shown += fmt::format("\\u{:04x}", static_cast<unsigned char>(text[++i]));
+      shown += fmt::format("\\u{:04x}", static_cast<unsigned char>(text[1]));
     else if (c < 0x20 || c == 0x7F)
       shown += fmt::format("\\u{:04x}", c);
+    else if (size == 0)
+      shown += fmt::format("\\x{:02x}", c);
     else
-      shown += text[i];
+      shown += text.substr(0, size);
+    text.remove_prefix(std::max(size, std::size_t{1}));
   }
   return shown;
 }

@@ -41,9 +41,9 @@ class Places {
   LineColumn place_;
 };
 
-// As a message shows it: on one line, without control characters, at most about 60 characters.
+// As a message shows it: on one line, in UTF-8, without control characters, at most about 60 characters.
 std::string excerpt(std::string_view text);
-// Whole, without control characters.
+// Whole, in UTF-8, without control characters.
 std::string printable(std::string_view text);
 
 }  // namespace wander

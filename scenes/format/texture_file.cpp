@@ -14,13 +14,15 @@ namespace wander {
 namespace {
 
 constexpr std::uint64_t most_texels = std::uint64_t{1} << 27;
+// More than deflate reaches: a header may promise any size, and memory is spent only on what the file can hold.
+constexpr int best_compression = 2048;
 
 // libpng ends what it is at by a jump: the functions that it is called from hold nothing that would
 // have to be destroyed.
 class PngFile {
  public:
   explicit PngFile(const std::filesystem::path& path) : file_(std::fopen(path.c_str(), "rb")) {
-    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, this, end, pass_over);
+    png_ = png_create_read_struct(PNG_LIBPNG_VER_STRING, nullptr, end, pass_over);
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
     if (file_ == nullptr || info_ == nullptr) problem_ = "it cannot be opened";
   }
@@ -31,9 +33,10 @@ class PngFile {
   PngFile(const PngFile&) = delete;
   PngFile& operator=(const PngFile&) = delete;
 
-  // False: there is a problem.
+  // False: there is a problem, told in our own words and not in those of the library.
   bool read_header() {
-    if (!problem_.empty()) return false;
+    if (problem_ != nullptr) return false;
+    problem_ = "its header is not that of one";
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_init_io(png_, file_);
     png_read_info(png_, info_);
@@ -45,6 +48,7 @@ class PngFile {
     return true;
   }
   bool read_rows(png_bytepp rows) {
+    problem_ = "its data are damaged or cut short";
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_read_image(png_, rows);
     png_read_end(png_, nullptr);
@@ -56,19 +60,17 @@ class PngFile {
   int channels() const { return png_get_channels(png_, info_); }
   int bits() const { return png_get_bit_depth(png_, info_); }
   std::size_t row_bytes() const { return png_get_rowbytes(png_, info_); }
-  const std::string& problem() const { return problem_; }
+  std::uint64_t bytes() const { return height() * row_bytes(); }
+  const char* problem() const { return problem_; }
 
  private:
-  [[noreturn]] static void end(png_structp png, png_const_charp message) {
-    static_cast<PngFile*>(png_get_error_ptr(png))->problem_ = message;
-    png_longjmp(png, 1);
-  }
+  [[noreturn]] static void end(png_structp png, png_const_charp) { png_longjmp(png, 1); }
   static void pass_over(png_structp, png_const_charp) {}
 
   std::FILE* file_;
   png_structp png_ = nullptr;
   png_infop info_ = nullptr;
-  std::string problem_;
+  const char* problem_ = nullptr;
 };
 
 // Of numbers from 0 to `most`.
@@ -110,6 +112,10 @@ std::shared_ptr<const Texture> read_texture(const std::filesystem::path& path) {
   if (file.width() * file.height() > most_texels)
     throw TextureFileError(
         fmt::format("the picture is too large; a texture may have {} texels", most_texels));
+  if (file.bytes() > std::uintmax_t{best_compression} * std::filesystem::file_size(path, problem))
+    throw TextureFileError(
+        "this is no PNG that can be read (its header promises more than the file holds); a texture "
+        "is a PNG file");
   Texture::Picture picture;
   picture.width = static_cast<int>(file.width());
   picture.height = static_cast<int>(file.height());

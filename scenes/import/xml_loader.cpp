@@ -27,6 +27,32 @@ bool is_name_character(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
+std::string_view words_of(pugi::xml_parse_status status) {
+  switch (status) {
+    case pugi::status_end_element_mismatch:
+      return "an element ends that is not the one that is open, or none ends that is";
+    case pugi::status_bad_start_element:
+      return "an element has no name, or does not end with >";
+    case pugi::status_bad_end_element:
+      return "the end of an element is </NAME>";
+    case pugi::status_bad_attribute:
+      return "an attribute is NAME=\"VALUE\"";
+    case pugi::status_bad_comment:
+      return "a comment does not end";
+    case pugi::status_bad_cdata:
+    case pugi::status_bad_pcdata:
+      return "a text does not end";
+    case pugi::status_bad_doctype:
+    case pugi::status_bad_pi:
+    case pugi::status_unrecognized_tag:
+      return "what begins with < here is no element";
+    case pugi::status_no_document_element:
+      return "there is no element in it";
+    default:
+      return "it cannot be read";
+  }
+}
+
 struct Document {
   std::shared_ptr<const std::string> file;
   std::string text;
@@ -116,7 +142,7 @@ class Loader {
                                document.text.size());
     const LineColumn at = Places(document.text).of(byte);
     diagnosis_.fault(XmlPlace{document.file, at.line, at.column, "/"},
-                     fmt::format("this is no XML: {}", result.description()));
+                     fmt::format("this is no XML: {}", words_of(result.status)));
     return false;
   }
 

@@ -272,7 +272,7 @@ TEST_F(TrajectoryFile, OfAnotherKindIsRefused) {
   EXPECT_NE(message(sealed(empty.take())).find("format"), std::string::npos);
   netcdf::Writer other = netcdf::Writer::create(0);
   other.attribute("format", "something-else/1");
-  EXPECT_NE(message(sealed(other.take())).find("its format is something-else/1"),
+  EXPECT_NE(message(sealed(other.take())).find("format: it is something-else/1"),
             std::string::npos);
 }
 

@@ -107,7 +107,7 @@ TEST_F(Merge, OfADamagedRunIsRefused) {
   expect_refused("a b -o x", 3, {"of version 9."});
   put(whole);
   write("b/run.json", R"({"schema":"wanderlight-run/1"})");
-  expect_refused("a b -o x", 3, {"b/run.json: not a run"});
+  expect_refused("a b -o x", 3, {"b/run.json: /scene: it is missing; not a run"});
 }
 
 TEST_F(Merge, OfARunWithoutSamplesIsRefused) {

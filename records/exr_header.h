@@ -1,0 +1,12 @@
+// Whether a file of OpenEXR can hold what its header promises, before the library takes memory for it.
+#pragma once
+
+#include <filesystem>
+
+namespace wander {
+
+// Throws std::runtime_error where an attribute is longer than the file or of a type that no film has, or
+// the picture larger than pixels can be compressed.
+void require_plausible_header(const std::filesystem::path& path);
+
+}  // namespace wander
