@@ -95,7 +95,7 @@ class NetcdfText {
     return values;
   }
 
-  Writer root_ = Writer::create(), group_ = root_;
+  Writer root_ = Writer::create(0), group_ = root_;
   std::map<std::string, std::size_t> lengths_;  // of the dimensions of the group
 };
 
