@@ -39,22 +39,72 @@ std::int32_t integer_in(std::ifstream& file) {
 }
 
 // The library reads so many bytes of these types whatever size the file says, and is then elsewhere in it.
-bool has_size_of_type(std::string_view type, std::int32_t size) {
-  struct Type {
-    std::string_view name;
-    std::int32_t size;
-  };
-  constexpr std::array types{
-      Type{"int", 4},    Type{"float", 4},          Type{"double", 8},      Type{"box2i", 16},
-      Type{"v2f", 8},    Type{"v2d", 16},           Type{"compression", 1}, Type{"lineOrder", 1},
-      Type{"box2f", 16}, Type{"chromaticities", 32}};
-  const auto found = std::ranges::find(types, type, &Type::name);
-  return type == "string" || (found != types.end() && found->size == size);
-}
+struct FixedType {
+  std::string_view name;
+  std::int32_t size;
+};
+constexpr std::array fixed_types{FixedType{"box2f", 16},
+                                 FixedType{"box2i", 16},
+                                 FixedType{"chromaticities", 32},
+                                 FixedType{"compression", 1},
+                                 FixedType{"deepImageState", 1},
+                                 FixedType{"double", 8},
+                                 FixedType{"envmap", 1},
+                                 FixedType{"float", 4},
+                                 FixedType{"int", 4},
+                                 FixedType{"keycode", 28},
+                                 FixedType{"lineOrder", 1},
+                                 FixedType{"m33d", 72},
+                                 FixedType{"m33f", 36},
+                                 FixedType{"m44d", 128},
+                                 FixedType{"m44f", 64},
+                                 FixedType{"rational", 8},
+                                 FixedType{"tiledesc", 9},
+                                 FixedType{"timecode", 8},
+                                 FixedType{"v2d", 16},
+                                 FixedType{"v2f", 8},
+                                 FixedType{"v2i", 8},
+                                 FixedType{"v3d", 24},
+                                 FixedType{"v3f", 12},
+                                 FixedType{"v3i", 12}};
 
 // Names with 16 bytes each, up to an empty one.
 void pass_over_channels(std::ifstream& file) {
   while (!name_in(file).empty()) file.seekg(16, std::ios::cur);
+}
+
+// Each with its length before it.
+void pass_over_strings(std::ifstream& file, std::streamoff end) {
+  while (file.tellg() < end) {
+    const std::int32_t length = integer_in(file);
+    if (length < 0 || length > end - file.tellg()) refuse();
+    file.seekg(length, std::ios::cur);
+  }
+}
+
+// Width and height, and four bytes for each pixel.
+void pass_over_preview(std::ifstream& file) {
+  const double width = integer_in(file), height = integer_in(file);
+  if (width < 0 || height < 0 || width * height > 1 << 30) refuse();
+  file.seekg(static_cast<std::streamoff>(4 * width * height), std::ios::cur);
+}
+
+// Of whatever type: of one that it does not know, the library keeps the bytes that there are.
+void pass_over(std::ifstream& file, std::string_view type, std::int32_t size) {
+  const std::streamoff end = file.tellg() + std::streamoff(size);
+  const auto fixed = std::ranges::find(fixed_types, type, &FixedType::name);
+  if (fixed != fixed_types.end() && fixed->size != size) refuse();
+  if (type == "chlist")
+    pass_over_channels(file);
+  else if (type == "stringvector")
+    pass_over_strings(file, end);
+  else if (type == "preview")
+    pass_over_preview(file);
+  else if (type == "idmanifest")  // of deep images, and packed: no film has one
+    refuse();
+  else
+    file.seekg(end);
+  if (file.tellg() != end) refuse();
 }
 
 // xMin, yMin, xMax, yMax
@@ -79,13 +129,8 @@ void require_plausible_header(const std::filesystem::path& path) {
     if (size < 0 || size > bytes - at) refuse();
     if (name == "dataWindow" && size == 16)
       require_plausible_window(file, static_cast<double>(bytes));
-    if (type == "chlist") {
-      pass_over_channels(file);
-      if (file.tellg() != at + size) refuse();
-    } else if (!has_size_of_type(type, size)) {
-      refuse();
-    }
-    file.seekg(at + size);
+    file.seekg(at);
+    pass_over(file, type, size);
   }
 }
 

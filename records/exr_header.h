@@ -5,7 +5,7 @@
 
 namespace wander {
 
-// Throws std::runtime_error where an attribute is longer than the file or of a type that no film has, or
+// Throws std::runtime_error where an attribute is longer than the file or not as long as its type says, or
 // the picture larger than pixels can be compressed.
 void require_plausible_header(const std::filesystem::path& path);
 
