@@ -131,7 +131,9 @@ def _type_in(text: str, shown: str) -> str:
 
 def _cache() -> Path:
     base = os.environ.get("XDG_CACHE_HOME") or str(Path.home() / ".cache")
-    return Path(base) / "wanderlight" / f"programs-{_version()}-{sys.implementation.cache_tag}"
+    # Another installation of the package has sources of its own, and CMake's folder knows but one.
+    place = hashlib.sha256(str(_HERE).encode()).hexdigest()[:8]
+    return Path(base) / "wanderlight" / f"programs-{_version()}-{sys.implementation.cache_tag}-{place}"
 
 
 def _require_tools() -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 import wanderlight as wl
+from wanderlight import building
 
 SLIDE = Path(__file__).resolve().parent.parent.parent / "docs" / "examples" / "sensor_slide.h"
 
@@ -38,6 +39,12 @@ def test_a_missing_compiler_is_named(tmp_path, monkeypatch):
     (tmp_path / "cmake").unlink()
     with pytest.raises(wl.BuildError, match="cmake is missing"):
         wl.build(SLIDE, folder=tmp_path / "made")
+
+
+def test_each_installation_compiles_in_a_folder_of_its_own(monkeypatch):
+    first = building._cache()
+    monkeypatch.setattr(building, "_HERE", Path("/another/wanderlight"))
+    assert building._cache() != first
 
 
 def test_what_cmake_says_is_told(tmp_path, monkeypatch):
