@@ -2,8 +2,8 @@
 // list than the bytes can hold, and what is wrong is told in our own words.
 #pragma once
 
+#include <algorithm>
 #include <cereal/cereal.hpp>
-#include <cstring>
 #include <stdexcept>
 #include <string_view>
 #include <type_traits>
@@ -21,7 +21,8 @@ class BoundedArchive : public cereal::InputArchive<BoundedArchive, cereal::Allow
 
   void take(void* to, std::size_t size) {
     require(size);
-    std::memcpy(to, bytes_.data(), size);
+    std::copy_n(bytes_.data(), size,
+                static_cast<char*>(to));  // of an empty list: nothing, to nowhere
     bytes_.remove_prefix(size);
   }
   // That so many bytes are left.
