@@ -1,6 +1,6 @@
-// The methods by chains in primary sample space, and the run of any method, in one world: light transport is written
-// for any precision, and each precision is made in a file of its own (world_methods_float.cpp,
-// world_methods_double.cpp).
+// The methods by chains in primary sample space, and the run of any method, in one world: light
+// transport is written for any precision, and each world is made in a file of its own
+// (world_methods_plane.cpp, world_methods_plane_float.cpp, ...).
 #pragma once
 
 #include <fmt/format.h>
