@@ -6,40 +6,18 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <system_error>
-#include <utility>
+#include <vector>
+
+#include "records/pending_names.h"
+#include "records/temporary_file.h"
 
 namespace wander {
 
 namespace fs = std::filesystem;
 
-// Owns an open file; `close` reports what the destructor could not.
-class Descriptor {
- public:
-  Descriptor(const fs::path& path, int flags)
-      : descriptor_(open(path.c_str(), flags | O_CLOEXEC, 0666)) {}
-  ~Descriptor() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  bool is_open() const { return descriptor_ >= 0; }
-  int number() const { return descriptor_; }
-  bool close() { return ::close(std::exchange(descriptor_, -1)) == 0; }
-
- private:
-  int descriptor_;
-};
-
 namespace {
-
-// Pipes and some file systems cannot sync, which is no failure to write.
-bool sync(int descriptor) {
-  return fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
-}
 
 bool is_special(const fs::path& path) {
   std::error_code ignored;
@@ -59,27 +37,6 @@ fs::path behind_links(const fs::path& path) {
   std::error_code error;
   const fs::path target = fs::canonical(path, error);
   return error ? path : target;
-}
-
-fs::path directory_of(const fs::path& path) {
-  return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
-// Another program may have taken it for a leftover before it was locked; then it has no name left.
-// Where locks are unknown, no leftover is removed.
-bool is_locked_in_place(const Descriptor& file) {
-  if (flock(file.number(), LOCK_EX) != 0) return true;
-  struct stat status {};
-  return fstat(file.number(), &status) != 0 || status.st_nlink > 0;
-}
-
-constexpr std::string_view temporary_prefix = ".wander-", temporary_suffix = ".tmp";
-
-// Short, so that it is valid wherever the name of the file is.
-fs::path temporary_beside(const fs::path& path) {
-  static std::atomic<unsigned> count = 0;
-  return path.parent_path() /
-         fmt::format("{}{}-{}{}", temporary_prefix, getpid(), count++, temporary_suffix);
 }
 
 }  // namespace
@@ -114,37 +71,6 @@ void write_to_descriptor(int descriptor, const FileWriter& write, const std::str
   empty();
 }
 
-// A file that goes with its owner, unless it is renamed before.
-class StagedFile::Temporary {
- public:
-  Temporary(const fs::path& path, const std::string& place) : path_(path), place_(place) {
-    do {
-      file_ = std::make_unique<Descriptor>(path, O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW);
-      if (!file_->is_open()) throw OutputError(place_, errno);
-    } while (!is_locked_in_place(*file_));
-  }
-  ~Temporary() {
-    if (!path_.empty()) unlink(path_.c_str());
-  }
-  Temporary(const Temporary&) = delete;
-  Temporary& operator=(const Temporary&) = delete;
-
-  void write(const FileWriter& write) {
-    write_to_descriptor(file_->number(), write, place_);
-    if (!sync(file_->number())) throw OutputError(place_, errno);
-  }
-  void rename_to(const fs::path& path) {
-    if (rename(path_.c_str(), path.c_str()) != 0) throw OutputError(path.string(), errno);
-    path_.clear();
-    if (!file_->close()) throw OutputError(path.string(), errno);
-  }
-
- private:
-  fs::path path_;
-  std::unique_ptr<Descriptor> file_;
-  std::string place_;
-};
-
 StagedFile::StagedFile(const fs::path& path, std::string_view bytes)
     : StagedFile(path, [bytes](const ByteSink& file) { file(bytes); }) {}
 
@@ -156,30 +82,43 @@ StagedFile::StagedFile(const fs::path& path, const FileWriter& write) : path_(be
     return;
   }
   remove_leftovers(directory_of(path_));
-  temporary_ = std::make_unique<Temporary>(temporary_beside(path_), path.string());
-  temporary_->write(write);
+  temporary_ = std::make_unique<TemporaryFile>(temporary_beside(path_), path.string());
+  write_to_descriptor(temporary_->number(), write, path.string());
+  temporary_->sync_bytes();
 }
 
 StagedFile::StagedFile(StagedFile&& other) noexcept = default;
 StagedFile::~StagedFile() = default;
 
 void StagedFile::take_name() {
-  if (temporary_) temporary_->rename_to(path_);
-}
-
-// The new name itself must reach the disk, too.
-void StagedFile::sync_name() const {
-  if (!temporary_) return;
-  const Descriptor directory(directory_of(path_), O_RDONLY | O_DIRECTORY);
-  if (directory.is_open() && !sync(directory.number())) throw OutputError(path_.string(), errno);
+  temporary_->rename_to(path_);
+  temporary_->close();
 }
 
 void StagedFile::commit() { commit_together({this, 1}); }
 
 void StagedFile::commit_together(std::span<StagedFile> files) {
-  for (StagedFile& file : files) file.take_name();
-  for (const StagedFile& file : files) file.sync_name();
-  for (StagedFile& file : files) file.temporary_.reset();
+  std::vector<StagedFile*> unnamed;
+  std::vector<PendingNames::Renaming> renamings;
+  for (StagedFile& file : files)
+    if (file.temporary_) {
+      unnamed.push_back(&file);
+      renamings.push_back({file.temporary_->path(), file.path_});
+    }
+  PendingNames pending(renamings);
+  bool has_begun = false;
+  try {
+    for (StagedFile* file : unnamed) {
+      file->take_name();
+      has_begun = true;
+    }
+    for (const StagedFile* file : unnamed) sync_names(directory_of(file->path_), file->path_);
+  } catch (const OutputError&) {
+    if (has_begun && pending.keep())
+      for (StagedFile* file : unnamed) file->temporary_->keep();
+    throw;
+  }
+  for (StagedFile* file : unnamed) file->temporary_.reset();
 }
 
 TemporaryFolder::TemporaryFolder(const fs::path& beside) {
@@ -204,18 +143,15 @@ DirectoryLock::DirectoryLock(const fs::path& directory)
 
 DirectoryLock::~DirectoryLock() = default;
 
-bool is_temporary(const fs::path& path) {
-  const std::string name = path.filename().string();
-  return name.starts_with(temporary_prefix) && name.ends_with(temporary_suffix);
-}
-
 void remove_leftovers(const fs::path& directory) {
+  // Of an output with folders in it, the list stands in its own.
+  const bool is_at_rest = give_pending_names(directory / "..") && give_pending_names(directory);
+  if (!is_at_rest) return;
   std::error_code unreadable;  // then there is nothing to be done about it
   for (const fs::directory_entry& entry : fs::directory_iterator(directory, unreadable)) {
     if (!is_temporary(entry.path())) continue;
     const Descriptor file(entry.path(), O_RDONLY | O_NOFOLLOW);
-    if (file.is_open() && flock(file.number(), LOCK_EX | LOCK_NB) == 0)
-      fs::remove_all(entry.path(), unreadable);
+    if (file.is_open() && is_left_over(file)) fs::remove_all(entry.path(), unreadable);
   }
 }
 

@@ -2,7 +2,7 @@
 // every write is checked, the file is synced and then renamed into place.  A failure removes the
 // temporary file and leaves what was there before as it was.  Only a program that is killed leaves
 // one behind; it is locked while it is in use, so that a leftover can be told, and goes when the
-// next file of that directory is written.
+// next file of that directory is written.  Files that belong together appear together.
 #pragma once
 
 #include <filesystem>
@@ -16,6 +16,7 @@
 namespace wander {
 
 class Descriptor;
+class TemporaryFile;
 
 // what() = "cannot write PATH: No space left on device"
 class OutputError : public std::runtime_error {
@@ -39,15 +40,14 @@ class StagedFile {
   StagedFile& operator=(StagedFile&&) = delete;
 
   void commit();
-  // In their order, with as little time between as there can be.
+  // All or none: where the program is stopped between two names, or one cannot be given, the others
+  // follow when the directory is next looked at (pending_names.h).
   static void commit_together(std::span<StagedFile> files);
 
  private:
-  class Temporary;
   void take_name();
-  void sync_name() const;
   std::filesystem::path path_;
-  std::unique_ptr<Temporary> temporary_;  // none: nothing is left to do
+  std::unique_ptr<TemporaryFile> temporary_;  // none: nothing is left to do
 };
 
 // A pipe or device (`/dev/stdout`) is written in place, for it must not be replaced by a file.
@@ -87,7 +87,8 @@ class DirectoryLock {
 
 // Does this name belong to a temporary file or folder?
 bool is_temporary(const std::filesystem::path& path);
-// Removes the temporary files and folders in a directory that no program is writing any more.
+// Ends what a program that was stopped has left in a directory: files of an output that lack their names
+// get them, and the temporary files and folders that no program is writing any more go.
 void remove_leftovers(const std::filesystem::path& directory);
 
 // Writes all bytes to an open descriptor; `place` is named in the error.

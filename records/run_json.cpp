@@ -13,6 +13,8 @@
 #include "records/film_netcdf.h"
 #include "records/json_place.h"
 #include "records/json_text.h"
+#include "records/pending_names.h"
+#include "records/temporary_file.h"
 
 namespace wander {
 
@@ -309,6 +311,7 @@ void write_json(const RunRecord& run, int indent, const ByteSink& file) {
 std::optional<RunRecord> find_run_alone(const std::filesystem::path& path) {
   std::error_code unreachable;
   if (std::filesystem::is_directory(path, unreachable)) return find_run_alone(path / "run.json");
+  give_pending_names(directory_of(path));
   if (!std::filesystem::is_regular_file(path, unreachable)) return std::nullopt;
   if (is_exr(path)) return read_exr(path);
   if (is_film_netcdf(path)) return read_film_netcdf(path);

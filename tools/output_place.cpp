@@ -149,8 +149,8 @@ OutputDirectory::OutputDirectory(const fs::path& path, const Global& global)
         ExitCode::failure,
         fmt::format("another program is writing into {}; wait for its end, or choose another place",
                     path_.string()));
-  require_replaceable_directory(path_, global);  // another may have come to its end since
   remove_leftovers(path_);
+  require_replaceable_directory(path_, global);  // another may have come to its end since
 }
 
 OutputDirectory::~OutputDirectory() {

@@ -12,7 +12,9 @@
 #include "records/exr.h"
 #include "records/json_place.h"
 #include "records/key_limit.h"
+#include "records/pending_names.h"
 #include "records/run_json.h"
+#include "records/temporary_file.h"
 
 namespace wander::compare {
 
@@ -187,10 +189,9 @@ Comparison comparison_from_json(const ordered_json& document, const std::string&
 
 std::optional<Comparison> find_comparison(const std::filesystem::path& path) {
   std::error_code unreachable;
-  if (std::filesystem::is_directory(path, unreachable)) {
-    const std::filesystem::path file = path / "compare.json";
-    return std::filesystem::exists(file, unreachable) ? find_comparison(file) : std::nullopt;
-  }
+  if (std::filesystem::is_directory(path, unreachable))
+    return find_comparison(path / "compare.json");
+  give_pending_names(directory_of(path));
   if (!std::filesystem::is_regular_file(path, unreachable)) return std::nullopt;
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};

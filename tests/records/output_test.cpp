@@ -13,6 +13,7 @@
 
 #include "records/atomic_file.h"
 #include "records/exr.h"
+#include "records/pending_names.h"
 #include "records/rendering_archive.h"
 #include "records/run_files.h"
 #include "records/run_json.h"
@@ -169,6 +170,71 @@ TEST_F(Output, FilesAreCommittedTogether) {
   EXPECT_EQ(contents(folder / "a"), "after");
   EXPECT_EQ(contents(folder / "b"), "new");
   EXPECT_EQ(names().size(), 2U);
+}
+
+// A name that cannot be given stands for a program that was stopped between two names.
+TEST_F(Output, NamesThatLackAreGivenWhenTheDirectoryIsLookedAt) {
+  write_file(folder / "a", "before");
+  fs::create_directory(folder / "films");
+  std::vector<StagedFile> files;
+  files.emplace_back(folder / "a", "after");
+  files.emplace_back(folder / "films" / "b", "new");
+  files.emplace_back(folder / "c", "last");
+  fs::create_directories(folder / "films" / "b" / "in the way");
+  EXPECT_THROW(StagedFile::commit_together(files), OutputError);
+  files.clear();
+  EXPECT_EQ(contents(folder / "a"), "after");
+  EXPECT_FALSE(fs::exists(folder / "c"));
+  remove_leftovers(folder);  // the way is not free yet: nothing is lost
+  fs::remove_all(folder / "films" / "b");
+  remove_leftovers(folder / "films");
+  EXPECT_EQ(contents(folder / "films" / "b"), "new");
+  EXPECT_EQ(contents(folder / "c"), "last");
+  EXPECT_EQ(names().size(), 3U);
+}
+
+TEST_F(Output, WhereTheFirstNameCannotBeGivenAllIsAsItWas) {
+  write_file(folder / "b", "before");
+  std::vector<StagedFile> files;
+  files.emplace_back(folder / "a", "new");
+  files.emplace_back(folder / "b", "after");
+  fs::create_directories(folder / "a" / "in the way");
+  EXPECT_THROW(StagedFile::commit_together(files), OutputError);
+  files.clear();
+  remove_leftovers(folder);
+  EXPECT_EQ(contents(folder / "b"), "before");
+  EXPECT_EQ(names().size(), 2U);
+}
+
+// A list that somebody else has written moves nothing of theirs.
+TEST_F(Output, AListOfNamesMovesTemporaryFilesAlone) {
+  const auto entry = [](std::string from, std::string to) { return from + '\0' + to + '\0'; };
+  for (const std::string& list :
+       {entry("mine", "theirs"), entry("inside/.wander-1-1.tmp", "inside/../../theirs"),
+        entry("inside/.wander-1-1.tmp", "theirs"), entry("/tmp/.wander-1-1.tmp", "/tmp/theirs"),
+        std::string("inside/.wander-1-1.tmp\0theirs", 29), std::string(2 << 20, 'x')}) {
+    write_file(folder / "mine", "mine");
+    fs::create_directory(folder / "inside");
+    write_file(folder / ".wander-names.tmp", list);
+    { std::ofstream(folder / "inside" / ".wander-1-1.tmp") << "other"; }
+    EXPECT_TRUE(give_pending_names(folder));
+    EXPECT_EQ(contents(folder / "mine"), "mine");
+    EXPECT_FALSE(fs::exists(folder / "theirs"));
+    EXPECT_TRUE(fs::exists(folder / "inside" / ".wander-1-1.tmp"));
+  }
+}
+
+TEST_F(Output, AListThatAProgramWorksOnIsLeftToIt) {
+  std::vector<PendingNames::Renaming> names{{folder / ".wander-1-1.tmp", folder / "a"},
+                                            {folder / ".wander-1-2.tmp", folder / "b"}};
+  { std::ofstream(folder / ".wander-1-1.tmp") << "new"; }
+  {
+    const PendingNames pending(names);
+    EXPECT_FALSE(give_pending_names(folder));
+    remove_leftovers(folder);
+    EXPECT_TRUE(fs::exists(folder / ".wander-1-1.tmp"));
+  }
+  EXPECT_TRUE(give_pending_names(folder));
 }
 
 TEST_F(Output, AStagedFileThatIsNotCommittedVanishes) {
