@@ -2,16 +2,23 @@
 
 #include <cairo-pdf.h>
 #include <cairo.h>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <librsvg/rsvg.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <boost/crc.hpp>
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stdexcept>
+#include <system_error>
+
+#include "draw/figure/child_process.h"
 
 #ifdef __SANITIZE_ADDRESS__
 // Fontconfig keeps its tables of fonts up to the end of the program.
@@ -42,6 +49,34 @@ using Context = std::unique_ptr<cairo_t, Release<cairo_destroy>>;
   const std::string what = error ? error->message : "unknown error";
   g_clear_error(&error);
   fail(what);
+}
+
+// A font that cannot be opened is replaced by another, or by none, without a word.
+void require_open_files() {
+  constexpr int most_of_fonts = 16;
+  std::array<int, most_of_fonts> files{};
+  int count = 0, reason = 0;
+  while (count < most_of_fonts && reason == 0) {
+    const int file = open("/dev/null", O_RDONLY | O_CLOEXEC);
+    if (file < 0)
+      reason = errno;
+    else
+      files[static_cast<std::size_t>(count++)] = file;
+  }
+  while (count > 0) close(files[static_cast<std::size_t>(--count)]);
+  if (reason != 0) fail(std::generic_category().message(reason));
+}
+
+// The libraries end a program that lacks memory or threads.
+std::string drawn_apart(const std::function<std::string()>& draw) {
+  return in_a_child(
+      [&] {
+        require_open_files();
+        return draw();
+      },
+      "the figure cannot be drawn: the library that draws has given up, as it does where memory or "
+      "threads "
+      "are short");
 }
 
 void require_success(cairo_status_t status) {
@@ -105,7 +140,9 @@ std::string resolution_chunk(double dpi) {
 
 Vector size_of(std::string_view svg_document) { return size_of(open_document(svg_document)); }
 
-std::string to_png(std::string_view svg_document, double dpi) {
+namespace {
+
+std::string png_of(std::string_view svg_document, double dpi) {
   const Document document = open_document(svg_document);
   const Vector points = size_of(document);
   const auto pixels = [&](double length) {
@@ -123,7 +160,7 @@ std::string to_png(std::string_view svg_document, double dpi) {
   return png;
 }
 
-std::string to_pdf(std::string_view svg_document) {
+std::string pdf_of(std::string_view svg_document) {
   const Document document = open_document(svg_document);
   const Vector size = size_of(document);
   std::string pdf;
@@ -136,6 +173,16 @@ std::string to_pdf(std::string_view svg_document) {
     require_success(cairo_surface_status(surface.get()));
   }
   return pdf;
+}
+
+}  // namespace
+
+std::string to_png(std::string_view svg_document, double dpi) {
+  return drawn_apart([&] { return png_of(svg_document, dpi); });
+}
+
+std::string to_pdf(std::string_view svg_document) {
+  return drawn_apart([&] { return pdf_of(svg_document); });
 }
 
 }  // namespace wander::figure
