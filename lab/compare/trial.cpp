@@ -25,12 +25,10 @@ constexpr double evidence = 4;                    // squared standard errors
 // The reference of all checks first.
 std::vector<const Method*> methods_of_trial() {
   auto methods = methods_that([](const Method& method) { return method.makes_references; });
-  std::stable_partition(methods.begin(), methods.end(), [](const Method* method) {
-    return method->check == CheckRole::reference;
-  });
+  std::stable_partition(methods.begin(), methods.end(),
+                        [](const Method* method) { return method->check == CheckRole::reference; });
   return methods;
 }
-std::size_t runs_of_trial() { return methods_of_trial().size() * runs_of_each; }
 
 double largest_value(const std::vector<FilmEstimate>& films) {
   double unit = 0;  // squares stay finite
@@ -66,12 +64,28 @@ Worth worth_of(const Candidate& candidate, double variance) {
   return {candidate.method, variance > 0 ? 1 / (variance * samples) : 0, seconds / samples};
 }
 
-Budget budget_of_a_run(const Plan& plan) {
-  const Budget& like = plan.budgets.back().budget;
-  const bool is_time = std::holds_alternative<TimeBudget>(like);
+struct Limits {
+  double least, most;
+};
+Limits limits_of_a_run(const Plan& plan) {
+  const bool is_time = std::holds_alternative<TimeBudget>(plan.budgets.back().budget);
+  return is_time ? Limits{shortest, longest} : Limits{fewest, most};
+}
+
+double effort_of_a_run(const Plan& plan) {
   const double all = effort_of(plan) + reference_effort(plan);
-  const double of_one = share * all / static_cast<double>(runs_of_trial());
-  return budget_of(std::clamp(of_one, is_time ? shortest : fewest, is_time ? longest : most), like);
+  return share * all / static_cast<double>(methods_of_trial().size() * runs_of_each);
+}
+
+Budget budget_of_a_run(const Plan& plan) {
+  const auto [least, most_of_all] = limits_of_a_run(plan);
+  return budget_of(std::clamp(effort_of_a_run(plan), least, most_of_all),
+                   plan.budgets.back().budget);
+}
+
+// In so small a comparison all that chains need before they begin would be most of it.
+bool takes_part(const Method& method, const Plan& plan) {
+  return !method.is_markov_chain() || effort_of_a_run(plan) >= limits_of_a_run(plan).least;
 }
 
 }  // namespace
@@ -96,7 +110,8 @@ std::vector<Worth> hold_trial(const Plan& plan, Course& course) {
   const std::vector<const Method*> methods = methods_of_trial();
   std::vector<Candidate> candidates;
   for (const Method* method : methods)
-    if (method->sees_all_light(course.scene())) candidates.push_back({std::string(method->name)});
+    if (takes_part(*method, plan) && method->sees_all_light(course.scene()))
+      candidates.push_back({std::string(method->name)});
   const Budget budget = budget_of_a_run(plan);
   for (std::size_t r = 0; r < runs_of_each; ++r)
     for (std::size_t c = 0; c < candidates.size(); ++c) {
@@ -116,7 +131,11 @@ std::vector<Worth> hold_trial(const Plan& plan, Course& course) {
 }
 
 double trial_effort(const Plan& plan) {
-  return static_cast<double>(runs_of_trial()) * effort_of(budget_of_a_run(plan));
+  const auto runs =
+      runs_of_each * std::ranges::count_if(methods_of_trial(), [&](const Method* method) {
+        return takes_part(*method, plan);
+      });
+  return static_cast<double>(runs) * effort_of(budget_of_a_run(plan));
 }
 
 }  // namespace wander::compare

@@ -38,8 +38,9 @@ struct Candidate {
 // The most efficient first.
 std::vector<Worth> ranked(const std::vector<Candidate>& candidates);
 
-// Together about 3 % of the comparison.  None after an interruption.  A method whose chains
-// find no light takes no part.
+// Together about 3 % of the comparison, but no run less than 2000 samples or a fiftieth of a second; where that is more than
+// these 3 %, chains take no part.  None after an interruption.  A method whose chains find no light
+// takes no part.
 std::vector<Worth> hold_trial(const Plan& plan, Course& course);
 
 // All runs of the trial together, as hold_trial() counts them (effort_of).

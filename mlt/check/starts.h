@@ -15,13 +15,19 @@
 
 namespace wander {
 
+// How bright samples are is looked up in so many that found light, or tried to.
+struct StartsPilot {
+  std::uint64_t enough = 1000, most_tried = 1 << 18;
+};
+
 template <class Space>
 class Starts {
  public:
   using W = typename Space::Universe;
 
-  Starts(const Space& space, std::uint64_t seed)
-      : sampler_(space, all_techniques, Heuristic::balance),
+  Starts(const Space& space, std::uint64_t seed, const StartsPilot& size = {})
+      : size_(size),
+        sampler_(space, all_techniques, Heuristic::balance),
         numbers_(seed, Purpose::test, 0),
         choice_(seed, Purpose::test, 1),
         path_(space.max_vertices()) {
@@ -46,13 +52,12 @@ class Starts {
   }
 
  private:
-  static constexpr std::uint64_t most_tried = 1 << 18, enough = 1000;
   static constexpr double clipped_above = 4;  // times the average of the samples that found light
 
   void pilot() {
     double sum = 0;
     std::uint64_t lit = 0;
-    for (; tried_ < most_tried && lit < enough; ++tried_) {
+    for (; tried_ < size_.most_tried && lit < size_.enough; ++tried_) {
       const double weight = sample(~tried_);
       sum += weight;
       if (weight > 0) ++lit;
@@ -73,6 +78,7 @@ class Starts {
     return total;
   }
 
+  StartsPilot size_;
   PathSampler<Space> sampler_;
   Rng numbers_, choice_;
   Path<W> path_;

@@ -46,12 +46,13 @@ class Distances {
   void add_to_all(double square) {
     for (double& of_group : squares_) of_group += square;
   }
-  // Variance between groups but for the one that is farthest off.
-  double variance() const {
+  DepositSpread::Variance variance(double unit) const {
     const auto count = static_cast<double>(squares_.size());
     const double all = std::accumulate(squares_.begin(), squares_.end(), 0.0);
-    return (all - std::ranges::max(squares_)) / (count - 2);
+    const double farthest = std::ranges::max(squares_);
+    return {all / (count - 1) / unit, (all - farthest) / (count - 2) / unit};
   }
+  double evenness() const { return wander::evenness(squares_); }
 
  private:
   std::vector<double> squares_;
@@ -94,13 +95,23 @@ DepositSpread spread_of(const DepositShares& shares, const BinWorth& worth, Part
   });
   const double mean_total = std::accumulate(totals.begin(), totals.end(), 0.0) / count;
   for (std::size_t g = 0; g < shares.groups; ++g) total.add(g, squared(totals[g] - mean_total));
-  spread.film = film.variance() / spread.worth;
+  spread.film = film.variance(spread.worth);
   spread.squared_mean /= spread.worth;
-  spread.total = total.variance();
+  spread.evenness = film.evenness();
+  spread.total = total.variance(1);
   return spread;
 }
 
 }  // namespace
+
+double evenness(std::span<const double> values) {
+  double sum = 0, squares = 0;
+  for (const double value : values) {
+    sum += value;
+    squares += squared(value);
+  }
+  return squares > 0 ? squared(sum) / (squares * static_cast<double>(values.size())) : 1;
+}
 
 std::vector<DepositSpread> deposit_spreads(std::span<const TrialFindings> groups,
                                            const BinWorth& worth, std::span<const double> borders) {

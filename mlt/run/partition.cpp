@@ -12,8 +12,8 @@ namespace wander {
 namespace {
 
 constexpr double fewest_samples_of_a_pilot = 64, enough_effective_samples = 512;
-constexpr double smallest_border = 0x1p-2, largest_border = 0x1p18,
-                 border_of_all_light = 0x1p48;  // over b
+constexpr double smallest_border = 0x1p-2, largest_border = 0x1p18, border_of_all_light = 0x1p48,
+                 largest_safe_border = 0x1p10;  // over b
 
 // Σ over the cells of a histogram of f(number of paths, their l).
 template <class F>
@@ -94,12 +94,13 @@ std::vector<Pilot::Border> borders_of(const Pilot& pilot) {
 
 struct Choice {
   Pooling pooling;
-  double work = std::numeric_limits<double>::infinity();
+  double work = 0;  // V (1 + ρ κ)
 };
 
-Choice best_border(const Pilot& pilot, const Variance& variance, double samples_per_step) {
+// Of each border with so many samples per step.
+void add_choices(const Pilot& pilot, const Variance& variance, double samples_per_step,
+                 std::vector<Choice>& choices) {
   const double cost = pilot.rays / pilot.samples / pilot.rays_per_step;
-  Choice best{.pooling = {.samples_per_step = samples_per_step, .cost_of_sample = cost}};
   const std::vector<Pilot::Border> borders = borders_of(pilot);
   double of_total = std::numeric_limits<double>::infinity();
   for (const Pilot::Border& border : borders)
@@ -107,12 +108,28 @@ Choice best_border(const Pilot& pilot, const Variance& variance, double samples_
   for (const Pilot::Border& border : borders) {
     const double work =
         (variance.of_parts(border, samples_per_step) + of_total) * (1 + samples_per_step * cost);
-    if (!(work < best.work)) continue;
-    best.work = work;
-    best.pooling.partition = {border.c};
-    best.pooling.steps_per_draw = border.steps_per_draw;
+    if (std::isnan(work)) continue;
+    choices.push_back({{{border.c}, samples_per_step, border.steps_per_draw, cost}, work});
   }
-  return best;
+}
+
+const Choice& best_of(std::span<const Choice> choices) {
+  return *std::ranges::min_element(choices, {}, &Choice::work);
+}
+
+// Of those that are about as good as the best, the one that leaves least to chains; but no more to samples than what
+// lies below `enough`, if that is about as good, too.
+Pooling safest(std::span<const Choice> choices, double enough) {
+  const double most_work = about_as_good * best_of(choices).work;
+  const auto is_safer = [enough](const Choice& one, const Choice& other) {
+    const double c = one.pooling.partition.c, than = other.pooling.partition.c;
+    if (c == than) return one.work < other.work;
+    return c > enough || than > enough ? c < than : c > than;
+  };
+  const Choice* safest = nullptr;
+  for (const Choice& choice : choices)
+    if (choice.work <= most_work && (!safest || is_safer(choice, *safest))) safest = &choice;
+  return safest ? safest->pooling : best_of(choices).pooling;
 }
 
 }  // namespace
@@ -167,20 +184,22 @@ bool tells_enough(const Pilot& pilot) {
 
 Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins) {
   if (!(pilot.b() > 0) || !(samples_per_step > 0)) return {.samples_per_step = samples_per_step};
-  const Variance variance(pilot, bins);
-  return best_border(pilot, variance, samples_per_step).pooling;
+  std::vector<Choice> choices;
+  add_choices(pilot, {pilot, bins}, samples_per_step, choices);
+  return choices.empty() ? Pooling{.samples_per_step = samples_per_step} : best_of(choices).pooling;
 }
 
 Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost) {
   if (!is_telling(pilot)) return pooling(pilot, fewest_samples_per_step, bins);
   const Variance variance(pilot, bins);
-  Choice best;
+  const double cost = pilot.rays / pilot.samples / pilot.rays_per_step;
+  std::vector<Choice> choices;
   for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2) {
-    const Choice tried = best_border(pilot, variance, rho);
-    if (rho > fewest_samples_per_step && rho * tried.pooling.cost_of_sample > most_cost) break;
-    if (tried.work < best.work) best = tried;
+    if (rho > fewest_samples_per_step && rho * cost > most_cost) break;
+    add_choices(pilot, variance, rho, choices);
   }
-  return best.pooling;
+  if (choices.empty()) return {.samples_per_step = fewest_samples_per_step, .cost_of_sample = cost};
+  return safest(choices, largest_safe_border * pilot.b());
 }
 
 }  // namespace wander

@@ -71,6 +71,9 @@ struct Pilot {
     double steps_per_draw = usual_steps_per_draw, steps_per_draw_of_total = usual_steps_per_draw;
     double unvisited = 0;  // light of the chains' part that chains do not come to, over b
     double together = 1;   // χ, how much more samples vary than their paths alone
+    // How evenly chains share what they know of that light, and how much they differ, whichever is more
+    // (deposit_spread.h): where few came to it, and only these differ, it is they who speak.
+    double evenness = 1;
   };
   std::vector<Border> borders{};
 
@@ -100,10 +103,14 @@ std::vector<double> borders_around(double b);
 // heuristic, c = b n_B / n_M = b ρ τ.  But τ depends on c: chains that know easy light well may be
 // slow to come to the hard.
 //
-// The ρ and c that have the least V (1 + ρ κ), with κ the cost of a sample in steps; ρ of the powers of
+// Chains are known by few excursions of few of them, and where V errs it is too small: it knows nothing of what they have
+// not met.  What samples leave unknown is known.  So of all ρ and c whose V (1 + ρ κ), with κ the cost of a sample in
+// steps, is no more than a quarter above the least, those with the largest c are taken, up to 2¹⁰ b: what samples
+// find beyond it is rare enough to be a firefly, and some of it may not have been seen; ρ of the powers of
 // two between these, but no more than with which samples take `most_cost` times as long as steps:
 // little is lost where time is what is given, and who gives a number of steps does not wait for much
 // more than these.
+inline constexpr double about_as_good = 1.25;
 inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 64,
                         usual_most_cost = 32, most_cost_of_given_steps = 4;
 Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost = usual_most_cost);

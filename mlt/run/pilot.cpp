@@ -22,6 +22,28 @@ double steps_of(double spread, double of_draw, double second_moment, std::uint64
   return steps_per_draw(differs ? spread / of_draw : 0, static_cast<double>(steps));
 }
 
+// Σ weight(bin) w_M over the cells of a histogram.
+template <class Weight>
+double hard_part(const RatioHistogram& ratios, Partition side, Weight&& weight) {
+  double part = 0;
+  for (int i = ratios.first(); i < ratios.end(); ++i)
+    if (const RatioHistogram::Bin bin = ratios[i]; bin.count > 0)
+      part += weight(bin) * side.of_chains(bin.sum / bin.count);
+  return part;
+}
+
+double hard_states(const RatioHistogram& states, Partition side) {
+  return hard_part(states, side, [](const auto& bin) { return bin.count; });
+}
+
+// How evenly the chains share what they know of the hard light.
+double evenness_of_states(const Pilot& pilot, Partition side) {
+  std::vector<double> of_chains;
+  for (const RatioHistogram& chain : pilot.chains)
+    if (chain.count() > 0) of_chains.push_back(hard_states(chain, side));
+  return evenness(of_chains);
+}
+
 }  // namespace
 
 std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, const BinWorth& worth,
@@ -42,10 +64,14 @@ std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, con
         second_moment += number * weight * weight / states.count();
       }
     const DepositSpread& spread = spreads[k];
+    const bool is_long = steps >= steps_of_long_pilot;
+    const auto variance =
+        is_long ? &DepositSpread::Variance::of_all : &DepositSpread::Variance::but_for_one;
+    if (is_long) found[k].evenness = std::max(spread.evenness, evenness_of_states(pilot, side));
     found[k].steps_per_draw =
-        steps_of(spread.film, second_moment - spread.squared_mean, second_moment, steps);
+        steps_of(spread.film.*variance, second_moment - spread.squared_mean, second_moment, steps);
     found[k].steps_per_draw_of_total =
-        steps_of(spread.total, second_moment - mean * mean, second_moment, steps);
+        steps_of(spread.total.*variance, second_moment - mean * mean, second_moment, steps);
   }
   return found;
 }
@@ -89,38 +115,35 @@ Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std
 
 namespace {
 
-// The light of the chains' part: as states say it, and as samples do but for the one that found most.
+// The share of the light that is the chains': as states say it, and as samples do but for the one that found
+// most.
 struct HardLight {
   double by_states = 0, by_samples = 0;
 };
 HardLight hard_light(const Pilot& pilot, Partition side) {
-  HardLight light;
-  double found = 0;
   const RatioHistogram states = pilot.states(), samples = pilot.light_of_samples();
-  for (int i = states.first(); i < states.end(); ++i)
-    if (const auto [number, sum] = states[i]; number > 0)
-      light.by_states += number * side.of_chains(sum / number) / states.count();
-  for (int i = samples.first(); i < samples.end(); ++i)
-    if (const auto [number, sum] = samples[i]; number > 0) {
-      light.by_samples += sum * side.of_chains(sum / number);
-      found += sum;
-    }
-  if (found > 0) light.by_samples /= found;
-  return light;
+  const auto light = [](const auto& bin) { return bin.sum; };
+  const double found = hard_part(samples, {}, light);
+  HardLight share;
+  if (states.count() > 0) share.by_states = hard_states(states, side) / states.count();
+  if (found > 0) share.by_samples = hard_part(samples, side, light) / found;
+  return share;
 }
 
 // What is above the noise of a pilot.
-double above_noise(double share) {
-  constexpr double noise = 0.25;
+double above_noise(double share, double noise = 0.25) {
   return std::clamp((share - noise) / (1 - noise), 0.0, 1.0);
 }
 
-// What samples found beyond a border and chains did not.
-double unvisited(const Pilot& pilot, Partition side) {
+// What samples found beyond a border and chains did not, or few of them did.
+double unvisited(const Pilot& pilot, const Pilot::Border& border) {
   constexpr double fewest = 0.05;
-  const HardLight hard = hard_light(pilot, side);
+  const HardLight hard = hard_light(pilot, {border.c});
   if (hard.by_samples < fewest) return 0;
-  return above_noise(1 - hard.by_states / hard.by_samples) * hard.by_samples;
+  constexpr double noise_between_chains = 0.5;
+  return std::max(above_noise(1 - hard.by_states / hard.by_samples),
+                  above_noise(1 - border.evenness, noise_between_chains)) *
+         hard.by_samples;
 }
 
 }  // namespace
@@ -141,7 +164,7 @@ Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain
       const double power = has_grown ? std::log(tau / early.borders[k].*which) / so_far : 0;
       tau = std::min(tau * std::exp(above_noise(power) * to_come), pilot.steps_per_chain);
     }
-    not_seen = std::max(not_seen, unvisited(late, {border.c}));
+    not_seen = std::max(not_seen, unvisited(late, border));
     border.unvisited = not_seen;
   }
   return pilot;

@@ -22,7 +22,11 @@ Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std
 // (deposit_spread.h), over that of a single draw,
 //   R  = Σ_j a_j Var_g(D^M_gj) / (E_π[a w_M²] - Σ_j a_j (mean of D^M_gj)²),
 //   R' = Var_g(Σ_j D^M_gj) / Var_π(w_M),
-// with the states of `pilot`, which are weighed by a.
+// with the states of `pilot`, which are weighed by a.  A chain of few steps has not come far from where it began, and
+// one that was caught alone would speak for all: Var_g is but for the one that is farthest off.  In long chains it is what
+// the chains of a run will do, too, and more often: Var_g is of all, and they are asked how evenly they know the
+// hard light.
+inline constexpr std::uint64_t steps_of_long_pilot = 1 << 14;  // of each chain
 std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, const BinWorth& worth,
                                       const Pilot& pilot, std::span<const double> borders);
 
@@ -30,8 +34,9 @@ std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, con
 // number of steps.  Where they do not it grows with them, for what they know of how much light lies
 // where is what their seeds knew: τ is taken to go on growing as the power of the steps by which it has
 // grown since `early`, the same pilot before.  Of light that samples have found beyond a border and chains
-// have not, chains know nothing, whatever their τ elsewhere: with this border and with all before it.  Of
-// the power and of that light a quarter may be noise, and what is above is stretched to 0 … 1; of a
+// have not, chains know nothing, whatever their τ elsewhere: with this border and with all before it.  The
+// same is said of light that few of them have come to, and of which only these few spoil the film.  Of the power and of that light a quarter may be
+// noise, of the evenness half, and what is above is stretched to 0 … 1; of a
 // border beyond which there is hardly any light, all.  τ is no more than the steps of a chain, which tell
 // as much as one draw at least.
 Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain);

@@ -63,14 +63,19 @@ Shares shares(const TrialLog& log) {
   }
   return of;
 }
+double variance_of(const std::vector<double>& squares) {
+  double all = 0;
+  for (const double square : squares) all += square;
+  return all / (static_cast<double>(squares.size()) - 1);
+}
 // But for the largest, over all but two.
-double variance_of(std::vector<double> squares) {
+double variance_but_for_one(const std::vector<double>& squares) {
   double all = 0;
   for (const double square : squares) all += square;
   return (all - std::ranges::max(squares)) / (static_cast<double>(squares.size()) - 2);
 }
 
-TEST(DepositSpread, IsTheVarianceBetweenGroupsButForTheFarthest) {
+TEST(DepositSpread, IsTheVarianceBetweenGroups) {
   const Trial made = trial();
   const BinWorth worth(std::array{2, 3}, made.groups);
   const DepositSpread spread = deposit_spreads(made.groups, worth, std::array{1.0, c}).back();
@@ -100,9 +105,19 @@ TEST(DepositSpread, IsTheVarianceBetweenGroupsButForTheFarthest) {
     total.push_back(std::pow(sum - mean_total, 2));
   }
   EXPECT_NEAR(spread.worth, of_worth, 1e-12);
-  EXPECT_NEAR(spread.film, variance_of(film) / of_worth, 1e-12);
+  EXPECT_NEAR(spread.film.of_all, variance_of(film) / of_worth, 1e-12);
+  EXPECT_NEAR(spread.film.but_for_one, variance_but_for_one(film) / of_worth, 1e-12);
   EXPECT_NEAR(spread.squared_mean, squared_mean / of_worth, 1e-12);
-  EXPECT_NEAR(spread.total, variance_of(total), 1e-12);
+  EXPECT_NEAR(spread.total.of_all, variance_of(total), 1e-12);
+  EXPECT_NEAR(spread.total.but_for_one, variance_but_for_one(total), 1e-12);
+  EXPECT_NEAR(spread.evenness, evenness(film), 1e-12);
+}
+
+TEST(DepositSpread, IsEvenWhereGroupsAreAlike) {
+  EXPECT_DOUBLE_EQ(evenness(std::array{3.0, 3.0, 3.0}), 1);
+  EXPECT_DOUBLE_EQ(evenness(std::array{0.0, 7.0, 0.0, 0.0}), 0.25);
+  EXPECT_DOUBLE_EQ(evenness(std::array{1.0, 3.0}), 0.8);
+  EXPECT_EQ(evenness(std::array{0.0, 0.0}), 1) << "nothing differs";
 }
 
 TEST(DepositSpread, IsNotKnownOfTwoGroups) {

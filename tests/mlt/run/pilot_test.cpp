@@ -149,6 +149,58 @@ TEST(Pilots, ExpectNothingOfChainsThatHaveNotComeToTheHardLight) {
   EXPECT_NEAR(unvisited(0), 1, 0.001);
 }
 
+// A quarter of the light is hard, and samples and chains agree on it; but the chains know it so evenly.
+double unvisited_if_as_even_as(double evenness) {
+  Pilot pilot{.samples = 1000, .chains = {{}}, .steps_per_chain = 500, .borders = {{1, 20, 20}}};
+  pilot.borders[0].evenness = evenness;
+  for (int i = 0; i < 1000; ++i) pilot.chains[0].add(i % 4 == 0 ? 1e9 : 1e-9);
+  for (int i = 0; i < 1024; ++i) pilot.found.add(i % 4 == 0 ? 1e6 : 1e-6, i % 4 == 0 ? 1 : 1e12);
+  return extrapolated(pilot, pilot, 500).borders[0].unvisited;
+}
+
+TEST(Pilots, ExpectLittleOfLightThatFewChainsKnow) {
+  EXPECT_EQ(unvisited_if_as_even_as(1), 0);
+  EXPECT_EQ(unvisited_if_as_even_as(0.5), 0) << "noise";
+  EXPECT_NEAR(unvisited_if_as_even_as(0.25), 0.25 * 0.5, 0.005);
+}
+
+// Of sixteen chains one alone has been beyond the border, on a bin of its own; or half of them have, or all on many bins.
+Pilot::Border border_where(std::uint64_t steps, int chains, int bins_of_chain) {
+  std::list<TrialLog> logs;
+  std::vector<TrialFindings> groups;
+  for (int g = 0; g < 16; ++g) {
+    TrialLog& log = logs.emplace_back();
+    for (int i = 0; i < 64; ++i) {
+      const double l = g < chains && i < 32 ? 1e6 : 1e-6;
+      const int bin = l > 1 ? (g + i % bins_of_chain) % bins : 0;
+      log.deposits.push_back({bin, 1, l});
+      log.states.push_back({bin, 0, l});
+    }
+    groups.push_back({&log, 0, {1}});
+  }
+  const BinWorth even(std::array{bins}, {});
+  Pilot pilot = pilot_of(groups, even, 0);
+  pilot.steps_per_chain = static_cast<double>(steps);
+  return borders_of(groups, even, pilot, std::array{1.0}).front();
+}
+double evenness_of(std::uint64_t steps, int chains, int bins_of_chain) {
+  return border_where(steps, chains, bins_of_chain).evenness;
+}
+
+TEST(Pilots, AskLongChainsHowEvenlyTheyKnowTheHardLight) {
+  EXPECT_LT(evenness_of(steps_of_long_pilot, 1, 1), 0.1);
+  EXPECT_GE(evenness_of(steps_of_long_pilot, 8, 1), 0.5);
+  EXPECT_NEAR(evenness_of(steps_of_long_pilot, 16, bins), 1, 1e-12);
+  EXPECT_EQ(evenness_of(steps_of_long_pilot - 1, 1, 1), 1) << "short";
+}
+
+// Where one alone differs, nothing does but for it.
+TEST(Pilots, CountTheChainThatIsFarthestOffIfItIsLong) {
+  EXPECT_GT(border_where(steps_of_long_pilot, 1, 1).steps_per_draw, 1000);
+  EXPECT_LT(border_where(steps_of_long_pilot - 1, 1, 1).steps_per_draw,
+            border_where(steps_of_long_pilot, 1, 1).steps_per_draw / 10);
+}
+
 // Nearly all light lies beyond 100, where no chain was; but beyond 1 half of the states are.
 TEST(Pilots, CountWhatIsUnvisitedBeyondAnyBorder) {
   Pilot pilot{.samples = 1000,
