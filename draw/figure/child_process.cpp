@@ -91,8 +91,7 @@ std::string in_a_child(const std::function<std::string()>& work, const std::stri
   close(pipe.read_end);
   if (child < 0) fail(reason);
   const int status = status_of(child);
-  if (WIFSIGNALED(status))
-    throw std::runtime_error(given_up);
+  if (WIFSIGNALED(status)) throw std::runtime_error(given_up);
   if (message.empty()) throw std::runtime_error(given_up);
   const bool is_done = message.front() == done;
   message.erase(0, 1);
