@@ -98,6 +98,21 @@ std::vector<KernelCheck> checks_of(const Flat& space, const auto& mixture, std::
   return checks;
 }
 
+// Who asks for few samples does not wait for many; and the error says how many were tried.
+TEST_F(CommandLine, ACheckOfFewSamplesTriesFewBeforeItBegins) {
+  write("dark.json", R"({"format": "wanderlight-scene/1", "dimension": 2, "max_vertices": 4,
+    "materials": {"white": {"type": "diffuse", "reflectance": 0.5}},
+    "shapes": [{"type": "segment", "from": [0, 0], "to": [1, 0], "light": {"radiance": 1}},
+               {"type": "segment", "from": [-9, 1], "to": [9, 1], "material": "white"},
+               {"type": "segment", "from": [1, 2], "to": [0, 2], "sensor": {"bins": 4}}]})");
+  for (const auto& [samples, tried] :
+       {std::pair{"100", " 8192 "}, std::pair{"1000", " 16000 "}, std::pair{"1M", " 262144 "}}) {
+    const Outcome check = wander("check dark.json --samples " + std::string(samples));
+    EXPECT_EQ(check.exit_code, 1) << check.err;
+    EXPECT_HAS(check.err, tried);
+  }
+}
+
 TEST(Check, CatchesTheFlawedMutationAloneAndInTheMixture) {
   const FlatScene scene = build(diffuse_room());
   const Mixture mixture({1, 1}, FlawedRatio<Bidirectional>{{}, RatioFlaw::inverted},

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "lab/scene_source.h"
 #include "tests/lab/compare/made_runs.h"
 
 namespace wander::test::trial_test {
@@ -82,6 +85,40 @@ TEST(Trial, WhatFindsNothingIsWorthNothing) {
   EXPECT_EQ(worths.back().method, "dark");
   EXPECT_EQ(worths.back().information, 0);
   EXPECT_EQ(ranked({dark}).front().information, 0);
+}
+
+// Who is worth anything in the trial of a comparison of such a budget, and how many runs it has.
+struct Held {
+  std::vector<std::string> methods;
+  double runs_of_each;
+};
+Held held(const char* budget) {
+  const Plan plan{.source = "article-2.json",
+                  .entrants = line_up(parse_methods("bdpt"), {}, {}, std::nullopt),
+                  .budgets = parse_budgets(budget),
+                  .replicates = 8};
+  const description::Scene scene = open_scene(std::string(gallery_prefix) + "article-2").scene;
+  Session session;
+  session.threads = 1;
+  Course course(scene, session, 1);
+  Held trial;
+  for (const Worth& worth : hold_trial(plan, course)) trial.methods.push_back(worth.method);
+  const double of_a_run = std::max(2000., 0.03 * (effort_of(plan) + reference_effort(plan)) / 24);
+  trial.runs_of_each = trial_effort(plan) / of_a_run / static_cast<double>(trial.methods.size());
+  return trial;
+}
+
+// A hundred samples do not wait for chains to find their seeds.
+TEST(Trial, OfASmallComparisonHasNoChains) {
+  const auto has = [](const Held& trial, const char* method) {
+    return std::ranges::count(trial.methods, method) > 0;
+  };
+  const Held small = held("100"), large = held("60k");
+  EXPECT_TRUE(has(small, "bdpt"));
+  EXPECT_FALSE(has(small, "mlt"));
+  EXPECT_TRUE(has(large, "mlt"));
+  EXPECT_NEAR(small.runs_of_each, 4, 1e-9);
+  EXPECT_NEAR(large.runs_of_each, 4, 1e-9);
 }
 
 }  // namespace
