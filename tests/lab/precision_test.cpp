@@ -1,99 +1,18 @@
-// The same paths measured in float, in double and in extended precision: how far contributions,
-// densities, weights and ratios of acceptance are apart, room by room.
-//
-//   f, Σ_s p_s, f/Σ p (y) : f/Σ p (x)   relative differences
-//   w_s                                 absolute differences
+// The same paths measured in float, in double and in extended precision, room by room
+// (path_precision.h says what is compared; tests/precision sweeps what docs/precision.md shows).
 // A float has 6e-8 of relative error in every factor of its own, whatever the angle: what angles
 // are made of is double.  A double loses where facets are sharp, for the slope of a half vector is
 // rounded to 1e-16.  Bounds are some four times what was found.
 #include <gtest/gtest.h>
 
-#include "core/path_sampler.h"
 #include "lab/precision.h"
 #include "tests/support/core_scenes.h"
 #include "tests/support/extended_world.h"
+#include "tests/support/path_precision.h"
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {
 namespace {
-
-// A path of double precision at the same points in another world.
-template <World W>
-void transfer(const Transport<W>& space, const Path<Flatland>& x, Path<W>& y) {
-  y.resize(x.size());
-  for (int i = 0; i < x.size(); ++i) {
-    y[i].place.position = typename W::Point(x[i].place.position);
-    y[i].place.normal = typename W::Direction(x[i].place.normal);
-    y[i].place.shape = x[i].place.shape;
-    y[i].event = x[i].event;
-  }
-  for (int i = 0; i + 1 < x.size(); ++i) space.connect(y, i);
-  for (int i = 0; i < x.size(); ++i) space.evaluate(y, i);
-  weigh(space, y);
-}
-
-double relative_difference(Scaled a, Scaled b) { return std::abs((a / b).value() - 1); }
-
-struct Differences {
-  double contribution = 0, intensity = 0, weights = 0, ratio = 0;
-  int paths = 0, longest = 0;
-
-  double largest() const { return std::max({contribution, intensity, weights, ratio}); }
-};
-
-// Keeps the paths of a room in two worlds, and how far they are apart.
-template <World A, World B>
-class Comparison {
- public:
-  explicit Comparison(const description::Scene& scene)
-      : a_(build_flatland<A>(scene)),
-        b_(build_flatland<B>(scene)),
-        in_a_(scene.max_vertices),
-        in_b_(scene.max_vertices) {}
-
-  void add(const Path<Flatland>& x) {
-    transfer(Transport<A>(*a_, Roulette::off), x, in_a_);
-    transfer(Transport<B>(*b_, Roulette::off), x, in_b_);
-    const auto raise = [](double& most, double found) {
-      if (!(found <= most)) most = found;  // what is not a number stays
-    };
-    raise(d_.contribution, relative_difference(in_a_.contribution, in_b_.contribution));
-    raise(d_.intensity, relative_difference(in_a_.intensity, in_b_.intensity));
-    for (std::size_t s = 0; s < in_a_.weights().size(); ++s)
-      raise(d_.weights, std::abs(in_a_.weights()[s] - in_b_.weights()[s]));
-    const Scaled ratio_a = in_a_.contribution / in_a_.intensity;
-    const Scaled ratio_b = in_b_.contribution / in_b_.intensity;
-    if (d_.paths > 0) raise(d_.ratio, relative_difference(ratio_a / last_a_, ratio_b / last_b_));
-    last_a_ = ratio_a;
-    last_b_ = ratio_b;
-    ++d_.paths;
-    d_.longest = std::max(d_.longest, x.size());
-  }
-  const Differences& differences() const { return d_; }
-
- private:
-  std::unique_ptr<const Scene<A>> a_;
-  std::unique_ptr<const Scene<B>> b_;
-  Path<A> in_a_;
-  Path<B> in_b_;
-  Scaled last_a_, last_b_;
-  Differences d_;
-};
-
-// Calls f with the paths of bidirectional samples, of so many vertices or more.
-template <class F>
-void for_paths(const description::Scene& scene, int samples, int fewest_vertices, F&& f) {
-  const FlatScene built = build(scene);
-  PathSampler<Transport<Flatland>> sampler(Transport<Flatland>(*built, Roulette::off),
-                                           all_techniques, Heuristic::balance);
-  Rng random(1, Purpose::test, 70);
-  for (int i = 0; i < samples; ++i) {
-    random.start(static_cast<std::uint64_t>(i));
-    sampler.sample(random, [&](const Path<Flatland>& x, int, double) {
-      if (x.size() >= fewest_vertices) f(x);
-    });
-  }
-}
 
 // Light and sensor face each other at a millionth of their length: cosines are as small.
 description::Scene grazing() {
@@ -140,23 +59,24 @@ INSTANTIATE_TEST_SUITE_P(Rooms, PathsOfARoom, ::testing::ValuesIn(rooms),
 
 TEST_P(PathsOfARoom, AreMeasuredAsExactlyAsTheirNumbersAllow) {
   const Room& room = GetParam();
-  Comparison<FlatlandSingle, FlatlandExtended> single(room.make());
-  Comparison<Flatland, FlatlandExtended> twice(room.make());
+  PathComparison<FlatlandSingle, FlatlandExtended> single(room.make());
+  PathComparison<Flatland, FlatlandExtended> twice(room.make());
   for_paths(room.make(), room.samples, room.fewest_vertices, [&](const Path<Flatland>& x) {
     single.add(x);
     twice.add(x);
   });
-  const auto show = [](const Differences& d) {
-    return ::testing::Message() << "f " << d.contribution << ", density " << d.intensity
-                                << ", weights " << d.weights << ", ratio " << d.ratio << " of "
-                                << d.paths << " paths up to " << d.longest << " vertices";
+  const auto show = [](const PathDifferences& d) {
+    return ::testing::Message() << "f " << largest(d.contribution) << ", density "
+                                << largest(d.intensity) << ", weights " << largest(d.weights)
+                                << ", ratio " << largest(d.ratio) << " of " << d.paths()
+                                << " paths up to " << d.longest << " vertices";
   };
-  const Differences f = single.differences(), d = twice.differences();
-  EXPECT_GE(d.paths, 100);
+  const PathDifferences f = single.differences(), d = twice.differences();
+  EXPECT_GE(d.paths(), 100U);
   EXPECT_GE(d.longest, room.fewest_vertices);
-  EXPECT_LE(f.largest(), room.of_float) << show(f);
-  EXPECT_LE(d.largest(), room.of_double) << show(d);
-  EXPECT_GE(f.contribution, 1e-8) << "that was no float: " << show(f);  // control
+  EXPECT_LE(f.largest_of_all(), room.of_float) << show(f);
+  EXPECT_LE(d.largest_of_all(), room.of_double) << show(d);
+  EXPECT_GE(largest(f.contribution), 1e-8) << "that was no float: " << show(f);  // control
 }
 
 // A scene multiplied by a power of two: float has no other mantissas, either.
