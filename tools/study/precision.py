@@ -90,7 +90,7 @@ def draw(sweeps):
         for quantity, dashes in DASHES.items():
             svg.line([(x, 9), (x + 18, 9)], stroke=COLOURS[precision], stroke_width=0.9, stroke_dasharray=dashes)
             svg.text(x + 22, 11, f"{precision}, {QUANTITIES[quantity]}")
-            x += 84
+            x += 100
     width = (PAGE_WIDTH - 2 * MARGIN - AXIS - GAP * (len(SWEEPS) - 1)) / len(SWEEPS)
     for k, (sweep, (title, unit)) in enumerate(SWEEPS.items()):
         panel = Panel(svg, MARGIN + AXIS + k * (width + GAP), width, list(sweeps[sweep]))
