@@ -40,13 +40,14 @@ TEST(Estimators, AgreeWithTheRadiosityOfEachLength) {
   const RadiositySolution exact = solve_radiosity(radiosity_scene(room.description()));
   for (const Estimator& estimator : estimators()) {
     const auto film = sample_film(*scene, estimator, 150'000, 1);
-    std::vector<double> z;
+    std::vector<Compared> all;
     for (const auto& [n, bins] : film.by_vertices)
       for (std::size_t i = 0; i < bins.size(); ++i)
-        z.push_back(z_of(bins[i], exact.film().by_vertices[static_cast<std::size_t>(n) - 2][i]));
+        all.push_back(
+            compared(bins[i], exact.film().by_vertices[static_cast<std::size_t>(n) - 2][i]));
     for (std::size_t i = 0; i < film.total.size(); ++i)
-      z.push_back(z_of(film.total[i], exact.film().mean_irradiance[i]));
-    EXPECT_TRUE(passes(largest_z_test(z, usual_false_alarm))) << estimator.name;
+      all.push_back(compared(film.total[i], exact.film().mean_irradiance[i]));
+    EXPECT_TRUE(passes(largest_z_test(all, usual_false_alarm))) << estimator.name;
   }
 }
 

@@ -104,27 +104,35 @@ inline double z_of(BinValue estimate, double exact) {
   return std::abs(off) <= 1e-12 * std::abs(exact) ? 0 : std::numeric_limits<double>::infinity();
 }
 
-inline Decision matches(const BinValues& film, const std::vector<double>& exact,
-                        double false_alarm = usual_false_alarm) {
-  std::vector<double> z;
-  for (std::size_t i = 0; i < film.size(); ++i) z.push_back(z_of(film[i], exact.at(i)));
-  return largest_z_test(z, false_alarm);
+inline Compared compared(BinValue estimate, double exact) {
+  return {z_of(estimate, exact), estimate.error, std::abs(exact)};
 }
 
-// Appends the z of two independent films, bin by bin.  Where one of the two found nothing, the
-// other must not have found it with certainty either.
-inline void append_differences(std::vector<double>& z, const BinValues& a, const BinValues& b) {
-  for (std::size_t i = 0; i < a.size(); ++i)
-    z.push_back(z_of({a[i].value - b[i].value, std::hypot(a[i].error, b[i].error)}, 0));
+inline Decision matches(const BinValues& film, const std::vector<double>& exact,
+                        double false_alarm = usual_false_alarm) {
+  std::vector<Compared> family;
+  for (std::size_t i = 0; i < film.size(); ++i) family.push_back(compared(film[i], exact.at(i)));
+  return largest_z_test(family, false_alarm);
+}
+
+// Appends the comparisons of two independent films, bin by bin: errors are relative to the mean of both.
+// Where one of the two found nothing, the other must not have found it with certainty either.
+inline void append_differences(std::vector<Compared>& family, const BinValues& a,
+                               const BinValues& b) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double error = std::hypot(a[i].error, b[i].error);
+    family.push_back(
+        {z_of({a[i].value - b[i].value, error}, 0), error, std::abs(a[i].value + b[i].value) / 2});
+  }
 }
 
 // Two films agree, by length and in total.
 inline Decision agree(const SampledFilm& a, const SampledFilm& b,
                       double false_alarm = usual_false_alarm) {
-  std::vector<double> z;
-  append_differences(z, a.total, b.total);
-  for (const auto& [n, film] : a.by_vertices) append_differences(z, film, b.by_vertices.at(n));
-  return largest_z_test(z, false_alarm);
+  std::vector<Compared> family;
+  append_differences(family, a.total, b.total);
+  for (const auto& [n, film] : a.by_vertices) append_differences(family, film, b.by_vertices.at(n));
+  return largest_z_test(family, false_alarm);
 }
 
 }  // namespace wander::test

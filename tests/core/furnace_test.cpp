@@ -42,15 +42,15 @@ SceneMaker lens_shaped_room() {
 
 // Each length separately: n vertices carry 2 Le ρ^(n-2).
 Decision truncated_furnace(const SampledFilm& film, double rho) {
-  std::vector<double> z;
+  std::vector<Compared> all;
   double sum = 0;
   for (int n = 2; n <= longest; ++n) {
     const double exact = 2 * radiance * std::pow(rho, n - 2);
-    for (const BinValue bin : film.by_vertices.at(n)) z.push_back(z_of(bin, exact));
+    for (const BinValue bin : film.by_vertices.at(n)) all.push_back(compared(bin, exact));
     sum += exact;
   }
-  for (const BinValue bin : film.total) z.push_back(z_of(bin, sum));
-  return largest_z_test(z, usual_false_alarm);
+  for (const BinValue bin : film.total) all.push_back(compared(bin, sum));
+  return largest_z_test(all, usual_false_alarm);
 }
 
 class Furnace : public ::testing::TestWithParam<std::pair<const char*, SceneMaker (*)()>> {};

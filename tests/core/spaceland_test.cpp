@@ -37,13 +37,13 @@ void expect_furnace(const Scene<W>& scene, double radiance, double reflectance,
   std::uint64_t seed = 0;
   for (const auto method : methods) {
     const auto film = sample_film(scene, find_estimator(method), 40'000, ++seed);
-    std::vector<double> z, wrong;
+    std::vector<Compared> all, wrong;
     for (const auto& [n, bins] : film.by_vertices)
       for (const BinValue bin : bins) {
-        z.push_back(z_of(bin, pi * radiance * std::pow(reflectance, n - 2)));
-        wrong.push_back(z_of(bin, 2 * radiance * std::pow(reflectance, n - 2)));
+        all.push_back(compared(bin, pi * radiance * std::pow(reflectance, n - 2)));
+        wrong.push_back(compared(bin, 2 * radiance * std::pow(reflectance, n - 2)));
       }
-    EXPECT_TRUE(passes(largest_z_test(z, usual_false_alarm))) << method;
+    EXPECT_TRUE(passes(largest_z_test(all, usual_false_alarm))) << method;
     EXPECT_TRUE(rejects(largest_z_test(wrong, usual_false_alarm))) << method;
   }
 }
@@ -195,12 +195,12 @@ TEST(Space, HasTechniquesOfWhichEachFindsAllLight) {
       const Estimator family{"", TechniqueSet{s, s, n - s, n - s}, Roulette::off,
                              Heuristic::balance};
       const auto film = sample_film(scene, family, 100'000, static_cast<std::uint64_t>(10 * n + s));
-      std::vector<double> z, wrong;
+      std::vector<Compared> all, wrong;
       BinValues half = reference.by_vertices.at(n);
-      append_differences(z, film.by_vertices.at(n), half);
+      append_differences(all, film.by_vertices.at(n), half);
       for (BinValue& bin : half) bin.value /= 2;
       append_differences(wrong, film.by_vertices.at(n), half);
-      EXPECT_TRUE(passes(largest_z_test(z, usual_false_alarm))) << s << " of " << n;
+      EXPECT_TRUE(passes(largest_z_test(all, usual_false_alarm))) << s << " of " << n;
       EXPECT_TRUE(rejects(largest_z_test(wrong, usual_false_alarm))) << s << " of " << n;
     }
 }
@@ -233,11 +233,13 @@ TEST(Space, IsEstimatedByTheProgramAsSampleBySample) {
   session.threads = 2;
   const Rendering rendering = estimate(scene, find_estimator("bdpt"), session);
   const auto reference = sample_film(scene, find_estimator("bdpt"), 50'000, 4);
-  std::vector<double> z;
-  for (std::size_t i = 0; i < 4; ++i)
-    z.push_back((rendering.film.value[i] - reference.total[i].value) /
-                std::hypot(rendering.film.standard_error[i], reference.total[i].error));
-  EXPECT_TRUE(passes(largest_z_test(z, usual_false_alarm)));
+  std::vector<Compared> all;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double error = std::hypot(rendering.film.standard_error[i], reference.total[i].error);
+    all.push_back({(rendering.film.value[i] - reference.total[i].value) / error, error,
+                   reference.total[i].value});
+  }
+  EXPECT_TRUE(passes(largest_z_test(all, usual_false_alarm)));
   EXPECT_EQ(rendering.film.shape, (std::vector<int>{2, 2}));
 }
 

@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "tests/support/core_scenes.h"
+#include "tests/support/expect.h"
 #include "tests/support/quadrature.h"
-#include "tests/support/statistics.h"
 
 namespace wander::test {
 namespace {
@@ -39,12 +39,15 @@ double as_z(double t, double degrees_of_freedom) {
 
 // Cells whose exact mean is known; errors are the spread of batches.
 Decision cells_test(const Rendering& picture, const PlaneGrid& grid, const Exact& exact) {
-  std::vector<double> z;
+  std::vector<Compared> all;
   for (std::size_t cell = 0; cell < grid.size(); ++cell)
-    if (const auto expected = exact(cell))
-      z.push_back(as_z((picture.film.value[cell] - *expected) / picture.film.standard_error[cell],
-                       picture.film.degrees_of_freedom));
-  return largest_z_test(z, usual_false_alarm);
+    if (const auto expected = exact(cell)) {
+      const double error = picture.film.standard_error[cell];
+      all.push_back(
+          {as_z((picture.film.value[cell] - *expected) / error, picture.film.degrees_of_freedom),
+           error, *expected});
+    }
+  return largest_z_test(all, usual_false_alarm);
 }
 
 const std::vector<PlanePoint> corners{{0, 0}, {2, 0}, {2, 1}, {0, 1}};
@@ -67,8 +70,8 @@ TEST(Fluence, OfEachLengthInAFurnaceIsTwoPiTimesItsRadiance) {
 
   double sum = 0;
   for (int n = 2; n <= longest; ++n) sum += 2 * pi * radiance * std::pow(rho, n - 2);
-  EXPECT_TRUE(cells_test(picture, grid, [&](std::size_t) { return sum; }));
-  EXPECT_FALSE(cells_test(picture, grid, [&](std::size_t) { return sum * 1.02; }));
+  EXPECT_TRUE(passes(cells_test(picture, grid, [&](std::size_t) { return sum; })));
+  EXPECT_TRUE(rejects(cells_test(picture, grid, [&](std::size_t) { return sum * 1.02; })));
   for (int n = 2; n <= longest; ++n) {
     double mean = 0;
     for (const double value : picture.film.by_length.at(n))
@@ -98,9 +101,9 @@ TEST(Fluence, InGlassAtEquilibriumIsGreaterByTheIndex) {
       return std::nullopt;
     };
   };
-  EXPECT_TRUE(cells_test(picture, grid, expected(index)));
-  EXPECT_FALSE(cells_test(picture, grid, expected(1)));
-  EXPECT_FALSE(cells_test(picture, grid, expected(index * index)));
+  EXPECT_TRUE(passes(cells_test(picture, grid, expected(index))));
+  EXPECT_TRUE(rejects(cells_test(picture, grid, expected(1))));
+  EXPECT_TRUE(rejects(cells_test(picture, grid, expected(index * index))));
 }
 
 // L times the angle under which a light is seen; the light escapes through the edge of the picture.
@@ -129,8 +132,8 @@ TEST(Fluence, InTheOpenIsRadianceTimesTheAngleOfTheLight) {
       return radiance * (sine_left(p) - sine_right(p));
     });
   };
-  EXPECT_TRUE(cells_test(picture, grid, angle));
-  EXPECT_FALSE(cells_test(picture, grid, irradiance));
+  EXPECT_TRUE(passes(cells_test(picture, grid, angle)));
+  EXPECT_TRUE(rejects(cells_test(picture, grid, irradiance)));
 }
 
 // Independent walks to the light from a small lamp would leave 1 / √(walks in a cell) in each.

@@ -10,6 +10,7 @@
 // It sees what a test of the kernel alone cannot: a target that does not mean what it says.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -76,7 +77,7 @@ template <class Kernel>
 Decision geweke(const Kernel& kernel, Conditional conditional, std::uint64_t samples,
                 double false_alarm) {
   constexpr int sweeps = 8, steps = 4;
-  std::array<Moments, 2 * materials + 1> differences;
+  std::array<Moments, 2 * materials + 1> differences, levels;
   Rng random(4, Purpose::test, 66);
   Path<W> x(longest);
   for (std::uint64_t i = 0; i < samples; ++i) {
@@ -95,10 +96,15 @@ Decision geweke(const Kernel& kernel, Conditional conditional, std::uint64_t sam
     for (std::size_t m = 0; m < materials; ++m) {
       differences[2 * m].add(rho[m] - before[m]);
       differences[2 * m + 1].add(rho[m] * rho[m] - before[m] * before[m]);
+      levels[2 * m].add(before[m]);
+      levels[2 * m + 1].add(before[m] * before[m]);
     }
     differences.back().add(x.size() - vertices);
+    levels.back().add(vertices);
   }
-  return bins_z_test(differences, std::array<double, 2 * materials + 1>{}, false_alarm);
+  std::array<double, 2 * materials + 1> sizes{};
+  std::ranges::transform(levels, sizes.begin(), &Moments::mean);
+  return bins_z_test(differences, std::array<double, 2 * materials + 1>{}, false_alarm, sizes);
 }
 
 TEST(Geweke, EveryMutationKeepsTheJointDistributionOfPathAndReflectances) {

@@ -61,17 +61,18 @@ TEST_P(KirchhoffFurnace, NormalizationOfTheSeedPassIsExactByLength) {
     random.start(i);
     if (space_.sample(x, random)) ++count[static_cast<std::size_t>(x.size()) - 2];
   }
-  std::vector<double> z;
+  std::vector<Compared> lengths;
   const auto n = static_cast<double>(samples);
   for (std::size_t k = 0; k < count.size(); ++k) {
     const double exact = 2 * count[k] / n, p = count[k] / n;
     const double b = slice.tally().sum[k].value() / n;
     const double variance =
         (slice.tally().squares[k].value() / n - b * b) / n + 4 * p * (1 - p) / n;
-    if (count[k] >= 100) z.push_back((b - exact) / std::sqrt(variance));
+    const double error = std::sqrt(variance);
+    if (count[k] >= 100) lengths.push_back({(b - exact) / error, error, exact});
   }
-  EXPECT_GE(z.size(), 5u);
-  EXPECT_TRUE(passes(largest_z_test(z, usual_false_alarm)));
+  EXPECT_GE(lengths.size(), 5u);
+  EXPECT_TRUE(passes(largest_z_test(lengths, usual_false_alarm)));
 }
 
 // Exact starts, n steps; paired deviations of the functions of the path.
@@ -87,6 +88,7 @@ Decision from_exact_start(const Kirchhoff& space, const Kernel& kernel, std::uin
     start.start(i);
     random.start(i);
     space.sample_short(x, start);
+    deviations.add_level(functions.values(x), 1);
     Chain<Kirchhoff, Kernel> chain(space, kernel, x);
     for (int n = 0; n < steps; ++n) chain.step(random, [](const Step<W>&) {});
     deviations.add(functions.values(x), functions.values(chain.current()), 1);
@@ -160,8 +162,8 @@ TEST_P(KirchhoffFurnace, RanksOfTheExactStateAreUniformAmongItsSuccessors) {
     SCOPED_TRACE(name);
     const double rate = usual_false_alarm / static_cast<double>(2 * kernels.size());
     EXPECT_TRUE(passes(ranks(space_, kernel, light_coordinate, 6000, rate)));
-    EXPECT_TRUE(passes(ranks(
-        space_, kernel, [](const Path<W>& x) { return contribution(x).log(); }, 6000, rate)));
+    EXPECT_TRUE(passes(
+        ranks(space_, kernel, [](const Path<W>& x) { return contribution(x).log(); }, 6000, rate)));
   }
 }
 

@@ -113,21 +113,30 @@ double welch_p_value(const Moments& a, const Moments& b) {
   return student_two_sided_p(w.t, w.degrees);
 }
 
+Decision largest_z_test(std::span<const Compared> family, double false_alarm) {
+  std::vector<double> z, visible;
+  for (const Compared& one : family) z.push_back(one.z);
+  Decision d = wander::largest_z_test(z, false_alarm);
+  for (const Compared& one : family)
+    if (one.standard_error > 0 && one.size > 0 && std::isfinite(one.size))
+      visible.push_back(visible_normal(one.standard_error, d.threshold) / one.size);
+  d.visible = median(visible);
+  return d;
+}
+
 Decision bins_z_test(std::span<const Moments> bins, std::span<const double> exact,
-                     double false_alarm) {
+                     double false_alarm, std::span<const double> sizes) {
   require_family(bins.size(), exact.size());
-  std::vector<double> z(bins.size());
+  if (!sizes.empty()) require_family(bins.size(), sizes.size());
+  std::vector<Compared> family;
   for (std::size_t i = 0; i < bins.size(); ++i) {
     const double error = bins[i].standard_error();
     // Without two values there is no error bar, hence no agreement.
-    z[i] = std::isfinite(error) ? standardized(bins[i].mean() - exact[i], error) : infinity;
+    const double z =
+        std::isfinite(error) ? standardized(bins[i].mean() - exact[i], error) : infinity;
+    family.push_back({z, error, std::abs(sizes.empty() ? exact[i] : sizes[i])});
   }
-  Decision d = largest_z_test(z, false_alarm);
-  std::vector<double> visible;
-  for (std::size_t i = 0; i < bins.size(); ++i)
-    if (exact[i] != 0 && bins[i].standard_error() > 0)
-      visible.push_back(visible_normal(bins[i].standard_error(), d.threshold) / std::abs(exact[i]));
-  d.visible = median(visible);
+  Decision d = largest_z_test(family, false_alarm);
   std::ostringstream text;
   text << "there " << bins[d.worst].mean() << " ± " << bins[d.worst].standard_error() << ", exact "
        << exact[d.worst];

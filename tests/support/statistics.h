@@ -36,9 +36,20 @@ Decision paired_t_test(std::span<const double> a, std::span<const double> b, dou
 Decision welch_test(const Moments& a, const Moments& b, double false_alarm);
 double welch_p_value(const Moments& a, const Moments& b);
 
-// One z per bin.  A bin without spread must equal its exact value.
+// One comparison of a family: its z, the standard error behind it, and the size of what is compared; 0 if
+// that has none.
+struct Compared {
+  double z, standard_error, size;
+};
+// The largest |z| against Šidák's threshold, which knows what it would have seen: in half of the comparisons
+// that have an error and a size.
+Decision largest_z_test(std::span<const Compared> family, double false_alarm);
+using wander::largest_z_test;  // of z alone, which has no size
+
+// One z per bin.  A bin without spread must equal its exact value.  `sizes`: of what is compared, if those
+// are not the exact values, as where bins are differences.
 Decision bins_z_test(std::span<const Moments> bins, std::span<const double> exact,
-                     double false_alarm);
+                     double false_alarm, std::span<const double> sizes = {});
 // One Welch test per bin, the smallest p against Šidák's rate.
 Decision bins_welch_test(std::span<const Moments> a, std::span<const Moments> b,
                          double false_alarm);

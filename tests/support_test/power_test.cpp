@@ -4,11 +4,13 @@
 // Each expects between 97.5 and 99.9 % of 2000 runs, where 99 % is expected: false alarms 1e-6.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
 #include "statistics/visible_error.h"
 #include "tests/support/expect.h"
+#include "tests/support/films.h"
 #include "tests/support/generator.h"
 
 namespace wander::test {
@@ -97,6 +99,49 @@ TEST(Power, OfTestsOfManyBins) {
         return bins_welch_test(bins(g, error), bins(g, 0), alarm);
       },
       16);
+}
+
+// One comparison of ten, whose errors are known and whose sizes differ; an eleventh has no size.
+TEST(Power, OfFamiliesOfZ) {
+  expect_seen(
+      "z of a family",
+      [](Generator& g, double error) {
+        std::vector<Compared> family{{g.normal(), 1, 0}};
+        for (int j = 0; j < 10; ++j) {
+          const double size = 1 + j, spread = 0.1 * size, off = j == 4 ? error * size : 0;
+          family.push_back({(off + spread * g.normal()) / spread, spread, size});
+        }
+        return largest_z_test(family, alarm);
+      },
+      25);
+}
+
+// Of two films of 64 groups one bin of ten is off; one that is not reliable counts for nothing.
+TEST(Power, OfTheAgreementOfFilms) {
+  constexpr int groups = 64;
+  const auto film = [](Generator& g, double error) {
+    FilmEstimate film;
+    for (int j = 0; j < 11; ++j) {
+      const Moments bin = sample(g, groups, j == 4 ? 3 * (1 + error) : 3, 1);
+      film.value.push_back(bin.mean());
+      film.standard_error.push_back(bin.standard_error());
+      film.reliable.push_back(j < 10);
+    }
+    film.standard_error.back() *= 1e3;
+    film.degrees_of_freedom = groups - 1;
+    return film;
+  };
+  expect_seen(
+      "films agree",
+      [&](Generator& g, double error) { return films_agree(film(g, error), film(g, 0), alarm); },
+      28);
+}
+
+// Where nothing has an error and a size, no error is known that would have been seen.
+TEST(Power, OfAFamilyWithoutSizesIsNotKnown) {
+  const std::vector<Compared> family{{1, 0.1, 0}, {0, 0, 2}};
+  EXPECT_TRUE(std::isnan(largest_z_test(family, alarm).visible));
+  EXPECT_TRUE(largest_z_test(family, alarm));
 }
 
 TEST(Power, OfTestsOfCounts) {

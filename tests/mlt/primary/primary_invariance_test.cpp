@@ -157,6 +157,8 @@ std::optional<Report> invariance(const Space& space, Sampler sampler, const Opti
     if (!(weight > 0)) continue;
     const FunctionValues before = values_of(space, starts.sample());
     heaviest = std::max(heaviest, weight);
+    for (Deviations* deviations : {&one_step, &many_steps})
+      deviations->add_level(before, weight * starts.clip(starts.sample()));
     EXPECT_TRUE(chain.start(sampler, starts.numbers()));
     EXPECT_EQ(chain.current().total, starts.sample().total);
     random.start(i);
