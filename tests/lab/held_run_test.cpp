@@ -31,7 +31,7 @@ class HeldRuns : public testing::TestWithParam<const char*> {
   Job job() const {
     return {mirror_and_glass(), find_method(GetParam()), {.chains = {.fewest_seeds = 8192}}};
   }
-  Session session(std::uint64_t samples = 400'000) {
+  Session session(std::uint64_t samples = 100'000) {
     Session session;
     session.budget = SampleBudget{samples};
     session.threads = 2;
@@ -92,7 +92,7 @@ TEST_P(HeldRuns, TakeALargerBudgetAsACarriedOnRunDoes) {
   HeldRun run(job(), session(200'000));
   go_on(run, session(200'000));
   const KeptRun kept = run.kept();
-  expect_same(go_on(run, session(400'000)), carry_on(kept, job(), session(400'000), {}));
+  expect_same(go_on(run, session(100'000)), carry_on(kept, job(), session(100'000), {}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, HeldRuns, testing::Values("bdpt", "mlt", "pssmlt", "mmlt"),

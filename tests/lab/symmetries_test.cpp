@@ -21,7 +21,7 @@ description::Scene scene_named(const std::string& name) {
 std::vector<SymmetryCheck> checks_of(const description::Scene& scene,
                                      const std::vector<Variation>& variations) {
   Session session;
-  session.budget = SampleBudget{4000};
+  session.budget = SampleBudget{1000};
   return check_symmetries(Job(scene, reference_method()), variations, session, [] {});
 }
 

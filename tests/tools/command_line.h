@@ -64,6 +64,11 @@ class CommandLine : public ::testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, out, err};
   }
   Outcome wander(const std::string& arguments) const { return shell("\"$WANDER\" " + arguments); }
+  // Of the program, such as 0.1.0.
+  std::string version() const {
+    const std::string said = wander("--version").out;
+    return said.substr(said.find(' ') + 1, said.find('\n') - said.find(' ') - 1);
+  }
 
   void write(const char* name, const std::string& text) const {
     std::ofstream(folder / name) << text;

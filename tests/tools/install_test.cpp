@@ -43,33 +43,10 @@ TEST_F(Installation, HoldsTheProgramAndWhatItShips) {
             shell("\"$WANDER\" gallery | wc -l").out);
 }
 
-// What cpack makes, and the versions that it, the program, the citation and the changelog name.
-class Packages : public CommandLine {
- protected:
-  std::string version() const {
-    const std::string said = shell("\"$WANDER\" --version").out;
-    return said.substr(said.find(' ') + 1, said.find('\n') - said.find(' ') - 1);
-  }
-};
+// Those that the program, the citation, the changelog and CMake name.
+using Versions = CommandLine;
 
-TEST_F(Packages, HoldTheProgramForDebianAndForAnywhere) {
-  const Outcome made =
-      shell("cpack --config '" WANDER_BUILD "/CPackConfig.cmake' -B \"$PWD/packages\"");
-  ASSERT_EQ(made.exit_code, 0) << made.out << made.err;
-  const std::string debian = "packages/wanderlight_" + version() + "_*.deb";
-  EXPECT_EQ(shell("dpkg-deb --field " + debian + " Version").out, version() + "\n");
-  const std::string needs = shell("dpkg-deb --field " + debian + " Depends").out;
-  for (const char* library : {"libnetcdf", "libopenexr", "libtbb", "librsvg"})
-    EXPECT_NE(needs.find(library), std::string::npos) << library;
-  EXPECT_NE(shell("dpkg-deb --contents " + debian).out.find(" ./usr/bin/wander\n"),
-            std::string::npos);
-  const std::string slit = shell("tar xzf packages/wanderlight-" + version() +
-                                 "-*.tar.gz --strip-components=1 && bin/wander gallery slit")
-                               .out;
-  EXPECT_EQ(slit, contents(folder / "share/wanderlight/scenes/slit.json"));
-}
-
-TEST_F(Packages, VersionsAgree) {
+TEST_F(Versions, Agree) {
   const fs::path source = WANDER_SOURCE;
   EXPECT_NE(contents(source / "CITATION.cff").find("\nversion: " + version() + "\n"),
             std::string::npos);
