@@ -35,7 +35,8 @@ class Reservoirs {
   explicit Reservoirs(int count) : seeds_(static_cast<std::size_t>(count)) {}
 
   // Each seed is replaced with probability weight / Σ weights so far.
-  void offer(const Seed& candidate, Rng& random) {
+  template <class Random>
+  void offer(const Seed& candidate, Random& random) {
     total_ += candidate.weight;
     const double share = candidate.weight / total_.value();
     for (Seed& seed : seeds_)
