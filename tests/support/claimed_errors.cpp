@@ -1,5 +1,6 @@
 #include "tests/support/claimed_errors.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,7 +12,8 @@
 #include "lab/engine.h"
 #include "scenes/format/scene_file.h"
 #include "statistics/jackknife.h"
-#include "tests/support/statistics.h"
+#include "statistics/visible_error.h"
+#include "tests/support/expect.h"
 
 namespace wander::test {
 
@@ -79,13 +81,25 @@ ClaimedRatio claimed_ratio(const std::vector<FilmEstimate>& films) {
   return {ratio(none), jackknife_error(without), bins.size()};
 }
 
+Decision claimed_ratio_test(const ClaimedRatio& ratio, double tolerance, double false_alarm) {
+  Decision d{.test = "claimed variances", .false_alarm = false_alarm};
+  const double off = ratio.value - 1;
+  d.threshold = sidak_threshold(false_alarm, 1);
+  d.statistic = standardized(std::copysign(std::max(0.0, std::abs(off) - tolerance), off),
+                             ratio.standard_error);
+  d.p_value = normal_two_sided_p(d.statistic);
+  d.passed = std::abs(off) <= tolerance + d.threshold * ratio.standard_error;
+  d.visible = tolerance + visible_normal(ratio.standard_error, d.threshold);
+  d.detail = fmt::format("ratio {} ± {}", ratio.value, ratio.standard_error);
+  return d;
+}
+
 void expect_true_claims(const RunsOfAMethod& c, double tolerance) {
   const ClaimedRatio ratio = claimed_ratio(films_of(c));
   std::printf("  claimed variance over that of %d runs: %.3f ± %.3f, %zu bins\n", c.runs,
               ratio.value, ratio.standard_error, ratio.bins);
   ASSERT_GE(ratio.bins, 16u);
-  EXPECT_NEAR(ratio.value, 1,
-              tolerance + sidak_threshold(usual_false_alarm, 1) * ratio.standard_error);
+  EXPECT_TRUE(passes(claimed_ratio_test(ratio, tolerance, usual_false_alarm)));
 }
 
 }  // namespace wander::test

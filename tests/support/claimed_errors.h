@@ -11,6 +11,7 @@
 
 #include "core/film_estimate.h"
 #include "mlt/run/chain_settings.h"
+#include "tests/support/statistics.h"
 
 namespace wander::test {
 
@@ -32,7 +33,9 @@ struct ClaimedRatio {
 };
 ClaimedRatio claimed_ratio(const std::vector<FilmEstimate>& films);
 
-// Prints the ratio, and expects it to be one but for `tolerance` and its own error.
+// That it is one but for `tolerance` and its own error.
+Decision claimed_ratio_test(const ClaimedRatio& ratio, double tolerance, double false_alarm);
+// Prints the ratio, and expects that it passes.
 void expect_true_claims(const RunsOfAMethod& c, double tolerance);
 
 }  // namespace wander::test
