@@ -5,6 +5,8 @@
 // same).  Distances along a ray are in units of the length of `direction`.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -56,12 +58,13 @@ struct ShearedRay : Ray<W> {
   Length shear_x, shear_y, scale;
 
   ShearedRay(const Ray<W>& ray) : Ray<W>(ray) {
-    const auto longer = [&](int a, int b) {
-      return std::abs(ray.direction[a]) >= std::abs(ray.direction[b]) ? a : b;
-    };
-    z = longer(longer(0, 1), 2);
-    x = z == 2 ? 0 : z + 1;
-    y = x == 2 ? 0 : x + 1;
+    // Without branches, for directions are as good as random.
+    const Length first = std::abs(ray.direction[0]), second = std::abs(ray.direction[1]),
+                 third = std::abs(ray.direction[2]);
+    constexpr std::array<int, 3> after{1, 2, 0};
+    z = std::max(int{second > first}, 2 * int{third > std::max(first, second)});
+    x = after[static_cast<std::size_t>(z)];
+    y = after[static_cast<std::size_t>(x)];
     scale = 1 / ray.direction[z];
     shear_x = ray.direction[x] * scale;
     shear_y = ray.direction[y] * scale;

@@ -106,8 +106,7 @@ auto Parallelogram<W>::intersect(const ShearedRay<W>& ray, Element<W> self) cons
   const ShearedPoint<W> p(ray, corners_[0]), q(ray, corners_[1]), r(ray, corners_[2]),
       s(ray, corners_[3]);
   const Length a = side_of(p, q), b = side_of(q, r), c = side_of(r, s), d = side_of(s, p);
-  if ((a < 0 || b < 0 || c < 0 || d < 0) && (a > 0 || b > 0 || c > 0 || d > 0))
-    return nothing<Length>;
+  if (std::min({a, b, c, d}) < 0 && std::max({a, b, c, d}) > 0) return nothing<Length>;
   return std::max(distance, Length(0));
 }
 

@@ -57,7 +57,7 @@ TriangleCrossing<W> crossing(const ShearedRay<W>& ray, const typename W::Point& 
   using Length = typename W::Length;
   const ShearedPoint<W> p(ray, a), q(ray, b), r(ray, c);
   const Length u = side_of(q, r), v = side_of(r, p), w = side_of(p, q);
-  if ((u < 0 || v < 0 || w < 0) && (u > 0 || v > 0 || w > 0)) return {};
+  if (std::min({u, v, w}) < 0 && std::max({u, v, w}) > 0) return {};
   const Length sum = u + v + w;
   if (sum == 0) return {};  // seen from its edge, or without area
   return {u, v, w, sum, (u * p.z + v * q.z + w * r.z) / sum};

@@ -13,14 +13,19 @@ namespace {
 
 constexpr float never = std::numeric_limits<float>::infinity();
 
-// Single precision on either side of a number, by at least what the conversion rounds.
-float outside(double x, float side) {
-  const auto nearest = static_cast<float>(x);
-  return nearest + side * (std::abs(nearest) * std::numeric_limits<float>::epsilon() +
-                           std::numeric_limits<float>::min());
+// By at least so much the conversion to single precision rounds.
+float rounding(float nearest) {
+  return std::abs(nearest) * std::numeric_limits<float>::epsilon() +
+         std::numeric_limits<float>::min();
 }
-float rounded_down(double x) { return outside(x, -1); }
-float rounded_up(double x) { return outside(x, 1); }
+float rounded_down(double x) {
+  const auto nearest = static_cast<float>(x);
+  return nearest - rounding(nearest);
+}
+float rounded_up(double x) {
+  const auto nearest = static_cast<float>(x);
+  return nearest + rounding(nearest);
+}
 
 // The largest power of two that a normal number is not below, and its inverse.
 struct PowerOfTwo {
@@ -135,7 +140,7 @@ WideBvh<W>::WideBvh(std::span<const Shape<W>> shapes) : shapes_(shapes) {
 template <World W>
 struct WideBvh<W>::Slabs {
   struct Axis {
-    Side near, far;         // which planes the ray meets first, and last
+    int near, far;          // which planes the ray meets first, and last: those of a Side
     float to_near, to_far;  // the origin, rounded so that distances become less, and more
     float inverse;          // of the direction
   };
@@ -152,12 +157,13 @@ struct WideBvh<W>::Slabs {
     const PowerOfTwo length(size);
     unit = scale * length.value;
     for (int axis = 0; axis < W::dimension; ++axis) {
-      const Length origin = (ray.origin[axis] - center[axis]) * scale;
+      const auto origin = static_cast<float>((ray.origin[axis] - center[axis]) * scale);
       const auto inverse = static_cast<float>(1 / (ray.direction[axis] * length.inverse));
-      const float under = rounded_down(origin), over = rounded_up(origin);
-      const bool rises = !std::signbit(inverse);
-      axes[static_cast<std::size_t>(axis)] = {rises ? low : high, rises ? high : low,
-                                              rises ? over : under, rises ? under : over, inverse};
+      // Directions are as good as random, so what hangs on their signs is computed and not branched to.
+      const int falls = std::signbit(inverse);
+      const float outwards = std::copysign(rounding(origin), inverse);
+      axes[static_cast<std::size_t>(axis)] = {falls, 1 - falls, origin + outwards,
+                                              origin - outwards, inverse};
     }
   }
 
