@@ -13,12 +13,14 @@ namespace wander::test {
 namespace {
 
 Rendering rendered(const description::Scene& scene, const char* method, std::uint64_t samples,
-                   std::uint64_t seed) {
+                   std::uint64_t seed, FilmParts parts = FilmParts::pooled) {
   Session session;
   session.budget = SampleBudget{samples};
   session.threads = 2;
   session.seed = seed;
-  return render(Job(scene, find_method(method)), session);
+  Dials dials;
+  dials.chains.film_parts = parts;
+  return render(Job(scene, find_method(method), dials), session);
 }
 
 // One channel of a film.
@@ -47,18 +49,31 @@ TEST_P(ColouredFilms, AreInEachChannelTheFilmsOfItsLight) {
 
 class ColouredChains : public ::testing::TestWithParam<const char*> {};
 
+// Of a pooled film samples hide much of what chains do.
+TEST_P(ColouredChains, AreAloneInEachChannelTheFilmsOfItsLight) {
+  const Rendering film =
+      rendered(coloured_box_without_caustics(), GetParam(), 100'000, 1, FilmParts::chains);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Rendering one =
+        rendered(channel_of(coloured_box_without_caustics(), k), "bdpt", 50'000, 2 + k);
+    EXPECT_TRUE(passes(films_agree(film_channel(film.film, k), one.film, 1e-9))) << k;
+  }
+}
+
 // Exact but for deposits in float.
 TEST_P(ColouredChains, HaveTheNormalizationAsTheMeanOfTheirLuminance) {
-  const Rendering run = rendered(coloured_box_without_caustics(), GetParam(), 20'000, 1);
-  ASSERT_TRUE(run.normalization);
-  double mean = 0, of_channels_alike = 0;
-  for (std::size_t i = 0; i < run.film.value.size(); ++i)
-    mean += luminance_weight(3, i) * run.film.value[i];
-  mean /= static_cast<double>(run.film.value.size()) / 3;
-  for (const double value : run.film.value) of_channels_alike += value;
-  of_channels_alike /= static_cast<double>(run.film.value.size());
-  EXPECT_NEAR(mean, run.normalization->value, 1e-6 * mean);
-  EXPECT_GT(std::abs(of_channels_alike / mean - 1), 1e-3);  // the wrong twin
+  for (const FilmParts parts : {FilmParts::chains, FilmParts::pooled}) {
+    const Rendering run = rendered(coloured_box_without_caustics(), GetParam(), 20'000, 1, parts);
+    ASSERT_TRUE(run.normalization);
+    double mean = 0, of_channels_alike = 0;
+    for (std::size_t i = 0; i < run.film.value.size(); ++i)
+      mean += luminance_weight(3, i) * run.film.value[i];
+    mean /= static_cast<double>(run.film.value.size()) / 3;
+    for (const double value : run.film.value) of_channels_alike += value;
+    of_channels_alike /= static_cast<double>(run.film.value.size());
+    EXPECT_NEAR(mean, run.normalization->value, 1e-6 * mean);
+    EXPECT_GT(std::abs(of_channels_alike / mean - 1), 1e-3);  // the wrong twin
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, ColouredFilms,

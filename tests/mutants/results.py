@@ -67,14 +67,16 @@ class Results:
         if kept.get("program") != program:
             kept = {"program": program, "commit": commit(), "bugs": {}}
         self.kept = kept
+        self.patches = {}  # as they were when they were asked for
 
     def of(self, mutant):
         """What is known of a bug as it is now planted, or None."""
+        self.patches.setdefault(mutant.name, of_patch(mutant))
         found = self.kept["bugs"].get(mutant.name)
-        return found if found and found["patch"] == of_patch(mutant) else None
+        return found if found and found["patch"] == self.patches[mutant.name] else None
 
     def add(self, mutant, way, caught, seconds):
-        self.kept["bugs"][mutant.name] = {"patch": of_patch(mutant), "way": way, "caught": caught,
+        self.kept["bugs"][mutant.name] = {"patch": self.patches[mutant.name], "way": way, "caught": caught,
                                           "seconds": round(seconds, 1)}
         self.kept["date"] = time.strftime("%Y-%m-%d", time.gmtime())
         half = self.path.with_suffix(".half")

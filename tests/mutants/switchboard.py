@@ -11,7 +11,7 @@ from catalogue import REPOSITORY, Fault
 from results import failures, of_patch, timed
 from switched import rewritten, ways_of
 
-SWITCH = re.compile(r"::wander_bugs::on\((\d+)\)")
+SWITCH = re.compile(r"::wander_bugs::(?:on\(|chosen\(\) == )(\d+)")
 
 
 class Switchboard:

@@ -28,6 +28,7 @@ BEGINNINGS = {"declaration", "field_declaration", "init_declarator", "optional_p
 FORMS = {"statements": "if ({on}) {{ {new} }} else {{ {old} }}",
          "body": "{{ if ({on}) {{ {new} }} else {{ {old} }} }}",
          "value": "({on} ? ({new}) : ({old}))",
+         "constant": "(::wander_bugs::chosen() == {id} ? ({new}) : ({old}))",  # which no compiler computes
          "text": "{new}"}  # whether the bug is on or not
 
 
@@ -225,7 +226,7 @@ class Comparison:
         if before is None or before.type != "=" or a.type in LISTS or b.type in LISTS:
             return None
         constant = self.of_constant(old.parent if old.type == "init_declarator" else old)
-        return None if constant is None else [self.edit([a], [b], "value"), *constant]
+        return None if constant is None else [self.edit([a], [b], "constant" if constant else "value"), *constant]
 
     def of_constant(self, statement):
         """`constexpr` becomes `const`, within a class also `inline`; None where types or sizes may hang on it."""
@@ -261,8 +262,8 @@ def rewritten(source, wanted):
             inner = [item for item in inside if item[1].end <= edit.end and item[1].begin < edit.end]
             inside = inside[len(inner):]
             old = text(edit.begin, edit.end, inner)
-            form = FORMS[edit.form].format(on=f"::wander_bugs::on({id})", new=edit.new, old=old)
-            parts += [source[at:edit.begin].decode(), form]
+            switched = FORMS[edit.form].format(id=id, on=f"::wander_bugs::on({id})", new=edit.new, old=old)
+            parts += [source[at:edit.begin].decode(), switched]
             at = edit.end
         return "".join(parts) + source[at:end].decode()
 

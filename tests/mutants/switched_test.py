@@ -80,7 +80,7 @@ class OutsideOfFunctions(unittest.TestCase):
 
     def test_a_constant_is_computed_when_the_program_starts(self):
         self.assertEqual(both("inline constexpr double a = 2;", "inline constexpr double a = 3;"),
-                         f"inline const double a = ({on(0)} ? (3) : (2));")
+                         "inline const double a = (::wander_bugs::chosen() == 0 ? (3) : (2));")
 
     def test_a_parameter_that_only_the_bug_names_has_its_name(self):
         self.assertEqual(both("int f(int) { return 1; }", "int f(int x) { return x; }"),
