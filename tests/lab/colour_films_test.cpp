@@ -49,17 +49,6 @@ TEST_P(ColouredFilms, AreInEachChannelTheFilmsOfItsLight) {
 
 class ColouredChains : public ::testing::TestWithParam<const char*> {};
 
-// Of a pooled film samples hide much of what chains do.
-TEST_P(ColouredChains, AreAloneInEachChannelTheFilmsOfItsLight) {
-  const Rendering film =
-      rendered(coloured_box_without_caustics(), GetParam(), 100'000, 1, FilmParts::chains);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Rendering one =
-        rendered(channel_of(coloured_box_without_caustics(), k), "bdpt", 50'000, 2 + k);
-    EXPECT_TRUE(passes(films_agree(film_channel(film.film, k), one.film, 1e-9))) << k;
-  }
-}
-
 // Exact but for deposits in float.
 TEST_P(ColouredChains, HaveTheNormalizationAsTheMeanOfTheirLuminance) {
   for (const FilmParts parts : {FilmParts::chains, FilmParts::pooled}) {

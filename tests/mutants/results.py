@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from behind_switches import run_program
-from catalogue import REPOSITORY, Fault
+from catalogue import REPOSITORY, TESTS, Fault
 
 RECORD = Path(__file__).resolve().parent / "last_run.json"
 
@@ -41,14 +41,21 @@ def digest(*texts):
 
 
 def of_patch(mutant):
-    return digest(mutant.path.read_bytes())
+    """Of what it changes, wherever that stands, and of the test that it names."""
+    _, _, diff = mutant.path.read_text().partition("\n+++ ")
+    changes = [line for line in diff.splitlines()[1:] if line.startswith(("+", "-"))]
+    return digest(mutant.test.encode(), *(line.encode() for line in changes))
+
+
+def of_tests(mutant):
+    return digest(*((TESTS / file).read_bytes() for file in mutant.test_files()))
 
 
 def of_program():
-    """Of all that is compiled: results are of this program and of no other."""
+    """Of all that is compiled but the tests, which are those of single bugs: results are of no other program."""
     files = (path for room in sorted(REPOSITORY.iterdir()) if room.is_dir() and room.name not in ("build", ".git")
              for path in sorted(room.rglob("*")) if path.suffix in (".h", ".cpp"))
-    return digest(*(path.read_bytes() for path in files))
+    return digest(*(path.read_bytes() for path in files if not path.name.endswith("_test.cpp")))
 
 
 def commit():
@@ -67,16 +74,16 @@ class Results:
         if kept.get("program") != program:
             kept = {"program": program, "commit": commit(), "bugs": {}}
         self.kept = kept
-        self.patches = {}  # as they were when they were asked for
+        self.asked = {}  # bugs as they were when they were asked for
 
     def of(self, mutant):
-        """What is known of a bug as it is now planted, or None."""
-        self.patches.setdefault(mutant.name, of_patch(mutant))
-        found = self.kept["bugs"].get(mutant.name)
-        return found if found and found["patch"] == self.patches[mutant.name] else None
+        """What is known of a bug as it is now planted and tested, or None."""
+        asked = self.asked.setdefault(mutant.name, {"patch": of_patch(mutant), "tests": of_tests(mutant)})
+        found = self.kept["bugs"].get(mutant.name, {})
+        return found if asked.items() <= found.items() else None
 
     def add(self, mutant, way, caught, seconds):
-        self.kept["bugs"][mutant.name] = {"patch": self.patches[mutant.name], "way": way, "caught": caught,
+        self.kept["bugs"][mutant.name] = {**self.asked[mutant.name], "way": way, "caught": caught,
                                           "seconds": round(seconds, 1)}
         self.kept["date"] = time.strftime("%Y-%m-%d", time.gmtime())
         half = self.path.with_suffix(".half")
