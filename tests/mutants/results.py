@@ -93,7 +93,10 @@ class Results:
     def record(self):
         if "date" not in self.kept:
             raise Fault(f"{self.path}: holds no results of this program")
-        RECORD.write_text(json.dumps(self.kept, indent=1, sort_keys=True) + "\n")
+        bugs = ",\n".join(f"  {json.dumps(name)}: {json.dumps({key: bug[key] for key in ('way', 'caught', 'patch')})}"
+                         for name, bug in sorted(self.kept["bugs"].items()))
+        RECORD.write_text(f'{{\n "date": "{self.kept["date"]}",\n "commit": "{self.kept["commit"]}",\n'
+                          f' "bugs": {{\n{bugs}\n }}\n}}\n')
 
 
 def sentence(mutants):
@@ -105,7 +108,7 @@ def sentence(mutants):
              if m.name in kept["bugs"] and kept["bugs"][m.name]["patch"] == of_patch(m)}
     caught = [bug for bug in known.values() if bug["caught"]]
     apart = sum(bug["way"] == "planted" for bug in caught)
-    alive = [f"{id}" for id, bug in known.items() if not bug["caught"]]
+    alive = [id for id, bug in known.items() if not bug["caught"]]
     said = (f"The run of {kept['date']}, of commit `{kept['commit']}`, caught {len(caught)} of {len(mutants)}:"
             f" {len(caught) - apart} behind switches, {apart} in a build of their own")
     said += f"; {', '.join(alive)} survived" if alive else "; none survived"
