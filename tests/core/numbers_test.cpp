@@ -85,6 +85,7 @@ TEST(Scaled, AddsNumbersOfAnyDistance) {
   EXPECT_EQ(Scaled::of(1, 5000) + Scaled::of(1, 5000), Scaled::of(1, 5001));
   EXPECT_EQ(Scaled::of(1, 5000) + Scaled::of(1, -5000), Scaled::of(1, 5000));
   EXPECT_EQ(Scaled::of(1, -5000) + Scaled::of(1, 5000), Scaled::of(1, 5000));
+  EXPECT_EQ(Scaled::of(1, 5000) + Scaled::of(1, 4960), Scaled::of(1 + 0x1p-40, 5000));
   EXPECT_EQ(Scaled::of(1, -5000) + Scaled(0), Scaled::of(1, -5000));
   EXPECT_EQ(Scaled(0) + Scaled::of(1, -5000), Scaled::of(1, -5000));
   EXPECT_TRUE((Scaled::of(1, -5000) + Scaled::of(-1, -5000)).is_zero());

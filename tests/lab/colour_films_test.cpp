@@ -13,12 +13,14 @@ namespace wander::test {
 namespace {
 
 Rendering rendered(const description::Scene& scene, const char* method, std::uint64_t samples,
-                   std::uint64_t seed) {
+                   std::uint64_t seed, FilmParts parts = FilmParts::pooled) {
   Session session;
   session.budget = SampleBudget{samples};
   session.threads = 2;
   session.seed = seed;
-  return render(Job(scene, find_method(method)), session);
+  Dials dials;
+  dials.chains.film_parts = parts;
+  return render(Job(scene, find_method(method), dials), session);
 }
 
 // One channel of a film.
@@ -49,16 +51,18 @@ class ColouredChains : public ::testing::TestWithParam<const char*> {};
 
 // Exact but for deposits in float.
 TEST_P(ColouredChains, HaveTheNormalizationAsTheMeanOfTheirLuminance) {
-  const Rendering run = rendered(coloured_box_without_caustics(), GetParam(), 20'000, 1);
-  ASSERT_TRUE(run.normalization);
-  double mean = 0, of_channels_alike = 0;
-  for (std::size_t i = 0; i < run.film.value.size(); ++i)
-    mean += luminance_weight(3, i) * run.film.value[i];
-  mean /= static_cast<double>(run.film.value.size()) / 3;
-  for (const double value : run.film.value) of_channels_alike += value;
-  of_channels_alike /= static_cast<double>(run.film.value.size());
-  EXPECT_NEAR(mean, run.normalization->value, 1e-6 * mean);
-  EXPECT_GT(std::abs(of_channels_alike / mean - 1), 1e-3);  // the wrong twin
+  for (const FilmParts parts : {FilmParts::chains, FilmParts::pooled}) {
+    const Rendering run = rendered(coloured_box_without_caustics(), GetParam(), 20'000, 1, parts);
+    ASSERT_TRUE(run.normalization);
+    double mean = 0, of_channels_alike = 0;
+    for (std::size_t i = 0; i < run.film.value.size(); ++i)
+      mean += luminance_weight(3, i) * run.film.value[i];
+    mean /= static_cast<double>(run.film.value.size()) / 3;
+    for (const double value : run.film.value) of_channels_alike += value;
+    of_channels_alike /= static_cast<double>(run.film.value.size());
+    EXPECT_NEAR(mean, run.normalization->value, 1e-6 * mean);
+    EXPECT_GT(std::abs(of_channels_alike / mean - 1), 1e-3);  // the wrong twin
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, ColouredFilms,

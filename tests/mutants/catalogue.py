@@ -91,12 +91,12 @@ def check_left_out(mutants):
         raise Fault(f"{FOLDER / 'left_out.md'}: leaves out what is planted: {', '.join(sorted(twice))}")
 
 
-def check(mutants):
+def check(mutants, said):
     check_left_out(mutants)
     for mutant in mutants:
         check_applies(mutant)
         check_tests_exist(mutant)
-    if (REPOSITORY / "docs/mutants.md").read_text() != document(mutants):
+    if (REPOSITORY / "docs/mutants.md").read_text() != document(mutants, said):
         raise Fault("docs/mutants.md: is out of step with tests/mutants; run tests/mutants/run --docs")
 
 
@@ -125,19 +125,22 @@ def table(mutants):
     return "\n".join(lines)
 
 
-def document(mutants):
+def document(mutants, said):
+    """The page; `said` is the sentence on the last run."""
     left_out = (FOLDER / "left_out.md").read_text().strip()
     left_out_count = len(LEFT_OUT_ID.findall(left_out))
     parts = [
         "# Planted bugs\n",
         "<!-- Written by tests/mutants/run --docs; do not edit. -->\n",
         "A test that has never failed proves little.  Each bug below is a patch in `tests/mutants/`;"
-        " `tests/mutants/run` plants one after the other in a copy of the tree, and the test named"
-        " beside it must fail.  The program itself has no switch for any of them.  The command also"
-        " runs as the test `mutants` of the long suite; the quick suite checks that every patch"
-        " still applies and that this page is in step.\n",
+        " `tests/mutants/run` plants them in a copy of the tree, and the test named beside a bug must fail."
+        "  Nearly all share one build of the copy, in which the environment says which one is on, so that a bug"
+        " costs its test and no compiling; those that no switch can hold are planted and built one by one."
+        "  The program itself has no switch for any of them.  The command also runs as the test `mutants`"
+        " of the long suite; the quick suite checks that every patch still applies and that this page is in step.\n",
         f"{len(mutants)} bugs are planted; {left_out_count} more are left out, with"
         " their reasons below.\n",
+        said + "\n",
     ]
     for letter, title in AREAS.items():
         of_area = [m for m in mutants if m.id[0] == letter]

@@ -85,6 +85,23 @@ TEST_F(PathGroups, MakesTheStepsOfItsOwnStreams) {
   }
 }
 
+// Samples play roulette, whether the space of the chains does or not.
+TEST_F(PathGroups, CompareTheirStatesWithSamples) {
+  const PathChains<Flat, Family> states(space_, family_, seed, group, chains);
+  const Flat of_samples = space_.with(Roulette::by_albedo);
+  double least = 1;
+  for (int k = 0; k < chains; ++k) {
+    Path<W> x = slice_.replay(slice_.seed(k), space_.max_vertices()), sample = x;
+    for (int i = 0; i < x.size(); ++i) of_samples.evaluate(sample, i);
+    weigh(space_, x);
+    weigh(of_samples, sample);
+    const double ratio = (sample.contribution / sample.intensity).value();
+    EXPECT_NEAR(states.ratio(x), ratio, 1e-12 * ratio);
+    least = std::min(least, (sample.intensity / x.intensity).value());
+  }
+  EXPECT_LT(least, 0.999);
+}
+
 // The same for chains of whole samples; a refused step leaves their state as it was.
 TEST(PssmltGroups, MakeTheStepsOfTheirOwnStreams) {
   const FlatScene scene = build(diffuse_room());

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/path_sampler.h"
 #include "mutations/catalogue.h"
+#include "scenes/format/build_scene.h"
+#include "tests/support/coloured_box.h"
 #include "tests/support/deposits.h"
 #include "tests/support/invariance.h"
 #include "tests/support/test_scenes.h"
@@ -88,6 +91,31 @@ TEST(DepositOfOneStep, IsSharedByTheTwoPathsInProportionToTheAcceptance) {
       EXPECT_EQ(in_film_of(y.size(), bin_y), a);
     }
   }
+}
+
+TEST(DepositOfOneStep, HasTheColoursOfItsPaths) {
+  using Coloured = SpacelandColour;
+  const auto scene = build_scene<Coloured>(coloured_box());
+  const Transport<Coloured> space(*scene, Roulette::off);
+  PathSampler<Transport<Coloured>> sampler(space, all_techniques, Heuristic::balance);
+  std::vector<Path<Coloured>> paths;
+  Rng random(1, Purpose::test, 41);
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    random.start(i);
+    sampler.sample(random, [&](const Path<Coloured>& x, int, double) { paths.push_back(x); });
+  }
+  ASSERT_FALSE(paths.empty());
+  const Path<Coloured>& x = paths.front();
+  const auto y = std::ranges::find_if(
+      paths, [&](const auto& other) { return colour(other).colour != colour(x).colour; });
+  ASSERT_NE(y, paths.end());
+  const Step<Coloured> step{x, *y, 0, Proposal{1, 1}, 0.25, Reason::none};
+  int deposits = 0;
+  for_each_deposit(space, step, space.bin(x), [&](const auto& path, int, int, double, auto shown) {
+    EXPECT_EQ(shown.colour, colour(path).colour);
+    ++deposits;
+  });
+  EXPECT_EQ(deposits, 2);
 }
 
 // A group of two bins whose chains deposited so much.

@@ -39,7 +39,7 @@ inline Passed passed;
 
 constexpr bool on(int id) {
   if (std::is_constant_evaluated()) return false;
-  passed.seen[id] = 1;
+  if (passed.seen[id] == 0) passed.seen[id] = 1;  // reads are shared among threads
   return active == id;
 }
 
