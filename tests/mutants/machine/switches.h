@@ -1,4 +1,4 @@
-// The switches of bugs made by machine: included before all code of a copy of the tree that `sites.py` rewrote.
+// The switches of bugs: included before all code of a copy of the tree that `sites.py` or `../switched.py` rewrote.
 // The environment says which one bug is on, WANDER_BUG=7, and where each process notes which switches it came by,
 // WANDER_BUGS_PASSED=FOLDER.  Where a constant is computed by the compiler there is no bug, and nobody comes by.
 #pragma once
