@@ -89,10 +89,10 @@ TEST_P(HeldRuns, AreKeptAsTheyWereLeft) {
 }
 
 TEST_P(HeldRuns, TakeALargerBudgetAsACarriedOnRunDoes) {
-  HeldRun run(job(), session(200'000));
-  go_on(run, session(200'000));
+  HeldRun run(job(), session(50'000));
+  go_on(run, session(50'000));
   const KeptRun kept = run.kept();
-  expect_same(go_on(run, session(100'000)), carry_on(kept, job(), session(100'000), {}));
+  expect_same(go_on(run, session()), carry_on(kept, job(), session(), {}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, HeldRuns, testing::Values("bdpt", "mlt", "pssmlt", "mmlt"),
