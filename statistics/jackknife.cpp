@@ -35,6 +35,23 @@ double jackknife_error(std::span<const double> without, std::span<const double> 
   return std::sqrt(squares * (n - 1) / n);
 }
 
+void count_products_once(std::span<double> without, double theta,
+                         std::span<const LeftOutPair> pairs) {
+  const auto n = static_cast<double>(without.size());
+  double squares = 0;
+  for (const LeftOutPair& pair : pairs) {
+    const double product =
+        n * theta - (n - 1) * (without[pair.first] + without[pair.second]) + (n - 2) * pair.without;
+    squares += product * product / static_cast<double>(pairs.size());
+  }
+  const double once = squares * (n - 1) / (2 * n);
+  const double error = jackknife_error(without);
+  if (!(error > 0) || !std::isfinite(once)) return;
+  const double factor = std::sqrt(std::max(0.1, 1 - once / (error * error)));
+  const double mean = std::accumulate(without.begin(), without.end(), 0.0) / n;
+  for (double& value : without) value = mean + factor * (value - mean);
+}
+
 double jackknife_degrees(std::span<const double> squared_deviations) {
   double sum = 0, squares = 0;
   for (const double v : squared_deviations) {

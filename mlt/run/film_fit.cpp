@@ -1,13 +1,13 @@
 #include "mlt/run/film_fit.h"
 
-#include <ceres/ceres.h>
-
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "mlt/run/coarse_films.h"
-#include "mlt/run/solver_log.h"
+#include "mlt/run/factor_fit.h"
+#include "mlt/run/smoothed_film.h"
+#include "statistics/jackknife.h"
 #include "work/parallel.h"
 
 namespace wander {
@@ -18,72 +18,26 @@ using Film = std::vector<double>;
 
 // The variance of a residual may not be less than this part of the mean over the bins.
 constexpr double smallest_variance = 1e-3;
-constexpr int smoothing_radius = 2;  // bins
 // Neighbouring bins are taken together until Σ Var p / Σ p² is no more, or there are no fewer bins.
 constexpr double most_noise = 0.005;
-constexpr std::size_t fewest_bins = 16;
+constexpr std::size_t fewest_bins = 4;
+// Pairs of groups are left out whose numbers are 1, 3, 5 or 7 apart.
+constexpr std::size_t most_apart = 8;
 
-// What is known of the errors of both films.
-struct Variances {
-  const Film &found, &shape;
-
-  double of_residual(std::size_t j, double b) const { return found[j] + b * b * shape[j]; }
-};
-
-// (I_j - b p_j) / √(v_j + b² Var p_j) with b = b_0 e^β, over all bins.
-class Residuals : public ceres::CostFunction {
- public:
-  Residuals(const Film& found, const Film& shape, const Variances& variances, double b0)
-      : found_(found), shape_(shape), variances_(variances), b0_(b0) {
-    set_num_residuals(static_cast<int>(found.size()));
-    mutable_parameter_block_sizes()->push_back(1);
-  }
-  bool Evaluate(double const* const* parameters, double* residuals,
-                double** jacobians) const override {
-    const double b = b0_ * std::exp(parameters[0][0]);
-    for (std::size_t j = 0; j < found_.size(); ++j) {
-      const double variance = variances_.of_residual(j, b), sigma = std::sqrt(variance);
-      residuals[j] = (found_[j] - b * shape_[j]) / sigma;
-      if (jacobians && jacobians[0])
-        jacobians[0][j] =
-            -b * (shape_[j] / sigma + residuals[j] * b * variances_.shape[j] / variance);
-    }
-    return std::isfinite(b);
-  }
-
- private:
-  const Film &found_, &shape_;
-  Variances variances_;
-  double b0_;
-};
-
-struct Solution {
-  double b, chi2;
-};
-
-std::optional<Solution> solve(const Film& found, const Film& shape, const Variances& variances,
-                              double b0) {
-  silence_solver();
-  ceres::Problem problem;
-  double beta = 0;
-  problem.AddResidualBlock(new Residuals(found, shape, variances, b0), nullptr, &beta);
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.num_threads = 1;
-  options.function_tolerance = 1e-15;
-  options.parameter_tolerance = 1e-12;
-  options.gradient_tolerance = 1e-12;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  const double b = b0 * std::exp(beta);
-  if (!summary.IsSolutionUsable() || !std::isfinite(b) || !(b > 0)) return std::nullopt;
-  return Solution{b, 2 * summary.final_cost};
+double mean_of(const Film& film) {
+  double sum = 0;
+  for (const double value : film) sum += value;
+  return sum / static_cast<double>(film.size());
 }
 
-// The groups whose number is even, or odd: what is summed over them, with one left out.
-constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+// The groups of a fit that are left out: none, one, or two.
+struct LeftOut {
+  static constexpr std::size_t nobody = std::numeric_limits<std::size_t>::max();
+  std::size_t first = nobody, second = nobody;
+};
+constexpr LeftOut none;
 
+// The groups whose number is even, or odd: what is summed over them, with some left out.
 class Films {
  public:
   Films(std::span<const FilmFitGroup> groups, std::span<const int> shape)
@@ -99,24 +53,25 @@ class Films {
   }
 
   // Mean per bin of the samples of a half, so that the mean over the bins is b.
-  Film found(std::size_t half, std::size_t left_out) const {
-    const bool leaves_out = left_out != none && left_out % 2 == half;
-    const double n = samples_[half] - (leaves_out ? groups_[left_out].samples : 0);
-    Film film(bins_);
-    for (std::size_t j = 0; j < bins_; ++j)
-      film[j] = static_cast<double>(bins_) / n *
-                (found_[half][j] - (leaves_out ? groups_[left_out].found[j] : 0));
+  Film found(std::size_t half, LeftOut left_out) const {
+    double n = samples_[half];
+    Film film = found_[half];
+    for (const std::size_t g : {left_out.first, left_out.second}) {
+      if (g == LeftOut::nobody || g % 2 != half) continue;
+      n -= groups_[g].samples;
+      for (std::size_t j = 0; j < bins_; ++j) film[j] -= groups_[g].found[j];
+    }
+    for (double& value : film) value *= static_cast<double>(bins_) / n;
     return film;
   }
   // Of mean one.
-  Film shape(std::size_t left_out) const {
+  Film shape(LeftOut left_out) const {
     Film film = deposits_;
-    double total = 0;
-    for (std::size_t j = 0; j < bins_; ++j) {
-      if (left_out != none) film[j] -= groups_[left_out].deposits[j];
-      total += film[j];
-    }
-    for (double& value : film) value *= static_cast<double>(bins_) / total;
+    for (const std::size_t g : {left_out.first, left_out.second})
+      if (g != LeftOut::nobody)
+        for (std::size_t j = 0; j < bins_; ++j) film[j] -= groups_[g].deposits[j];
+    const double scale = 1 / mean_of(film);
+    for (double& value : film) value *= scale;
     return film;
   }
 
@@ -139,7 +94,7 @@ class Films {
     Film variance(bins_), whole = shape(none);
     const auto n = static_cast<double>(groups_.size());
     for (std::size_t g = 0; g < groups_.size(); ++g) {
-      const Film part = shape(g);
+      const Film part = shape({g});
       for (std::size_t j = 0; j < bins_; ++j)
         variance[j] += (part[j] - whole[j]) * (part[j] - whole[j]) * (n - 1) / n;
     }
@@ -148,9 +103,8 @@ class Films {
 
  private:
   static Film floored(Film film) {
-    double mean = 0;
-    for (const double v : film) mean += v / static_cast<double>(film.size());
-    for (double& v : film) v = std::max(v, smallest_variance * mean);
+    const double least = smallest_variance * mean_of(film);
+    for (double& v : film) v = std::max(v, least);
     return film;
   }
 
@@ -162,12 +116,6 @@ class Films {
   Film deposits_;
 };
 
-double mean_of(const Film& film) {
-  double sum = 0;
-  for (const double value : film) sum += value;
-  return sum / static_cast<double>(film.size());
-}
-
 // One half's fit, with the variances that belong to it.
 class Half {
  public:
@@ -177,22 +125,21 @@ class Half {
         variance_(films.variance_of_found(half)),
         shape_variance_(shape_variance) {}
 
-  std::optional<Solution> fit() {
+  std::optional<Factor> fit() {
     const Film found = films_.found(half_, none), shape = films_.shape(none);
     const double b0 = mean_of(found);
     if (!(b0 > 0) || !all_known(b0)) return std::nullopt;
-    const std::optional<Solution> solution = solve(found, shape, variances(), b0);
+    const std::optional<Factor> solution = fit_factor(found, shape, variances(), b0);
     if (solution) b_ = solution->b;
     return solution;
   }
   // With the variances of fit().
-  double without(std::size_t group) const {
-    const auto solution = solve(films_.found(half_, group), films_.shape(group), variances(), b_);
-    return solution ? solution->b : std::numeric_limits<double>::quiet_NaN();
+  double without(LeftOut left_out) const {
+    return refined_factor(films_.found(half_, left_out), films_.shape(left_out), variances(), b_);
   }
 
  private:
-  Variances variances() const { return {variance_, shape_variance_}; }
+  FactorVariances variances() const { return {variance_, shape_variance_}; }
   bool all_known(double b) const {
     for (std::size_t j = 0; j < variance_.size(); ++j)
       if (!(variances().of_residual(j, b) > 0)) return false;
@@ -205,36 +152,6 @@ class Half {
   const Film& shape_variance_;
   double b_ = 0;
 };
-
-// The smoothing along one axis, of so many bins that lie `stride` apart: Σ instead of the mean.
-Film summed_along(const Film& film, int extent, std::size_t stride) {
-  Film sums(film.size());
-  for (std::size_t j = 0; j < film.size(); ++j) {
-    const int at = static_cast<int>(j / stride % static_cast<std::size_t>(extent));
-    const int low = std::max(0, at - smoothing_radius);
-    const int high = std::min(extent - 1, at + smoothing_radius);
-    const std::size_t begin = j - static_cast<std::size_t>(at - low) * stride;
-    for (int i = low; i <= high; ++i)
-      sums[j] += film[begin + static_cast<std::size_t>(i - low) * stride];
-  }
-  return sums;
-}
-
-}  // namespace
-
-Film smoothed(const Film& film, std::span<const int> shape) {
-  Film sums = film, counts(film.size(), 1.0);
-  std::size_t stride = 1;
-  for (std::size_t axis = shape.size(); axis-- > 0;) {
-    sums = summed_along(sums, shape[axis], stride);
-    counts = summed_along(counts, shape[axis], stride);
-    stride *= static_cast<std::size_t>(shape[axis]);
-  }
-  for (std::size_t j = 0; j < sums.size(); ++j) sums[j] /= counts[j];
-  return sums;
-}
-
-namespace {
 
 // Σ Var p / Σ p², the share by which noise of the chains would make b smaller.
 double noise_of_shape(std::span<const FilmFitGroup> groups, std::span<const int> shape) {
@@ -257,6 +174,37 @@ CoarseFilms coarsened(std::span<const FilmFitGroup> groups, std::span<const int>
   return coarse;
 }
 
+// b of both halves without some groups.
+class BothHalves {
+ public:
+  BothHalves(const Half& even, const Half& odd, std::size_t groups)
+      : even_(even), odd_(odd), groups_(groups) {}
+
+  std::vector<double> without_each() const {
+    std::vector<double> b(groups_);
+    in_parallel(groups_, [&](std::size_t g) { b[g] = without({g}); });
+    return b;
+  }
+  // One group of each half, so that in no half all are left out.
+  std::vector<LeftOutPair> without_pairs() const {
+    std::vector<LeftOutPair> pairs;
+    for (std::size_t apart = 1; apart < most_apart && 2 * apart < groups_; apart += 2)
+      for (std::size_t g = 0; g < groups_; ++g) pairs.push_back({g, (g + apart) % groups_, 0});
+    in_parallel(pairs.size(), [&](std::size_t k) {
+      pairs[k].without = without({pairs[k].first, pairs[k].second});
+    });
+    return pairs;
+  }
+
+ private:
+  double without(LeftOut left_out) const {
+    return (even_.without(left_out) + odd_.without(left_out)) / 2;
+  }
+
+  const Half &even_, &odd_;
+  std::size_t groups_;
+};
+
 }  // namespace
 
 FilmFit fit_films(std::span<const FilmFitGroup> fine_groups, std::span<const int> fine_shape) {
@@ -278,9 +226,9 @@ FilmFit fit_films(std::span<const FilmFitGroup> fine_groups, std::span<const int
   }
   fit.b = (first->b + second->b) / 2;
   fit.chi2_per_degree = (first->chi2 + second->chi2) / static_cast<double>(2 * (fit.bins - 1));
-  fit.without.resize(groups.size());
-  in_parallel(groups.size(),
-              [&](std::size_t g) { fit.without[g] = (even.without(g) + odd.without(g)) / 2; });
+  const BothHalves both(even, odd, groups.size());
+  fit.without = both.without_each();
+  count_products_once(fit.without, fit.b, both.without_pairs());
   return fit;
 }
 

@@ -8,7 +8,9 @@
 //   Orear 1982].  b is sought in it, too: with an iterate in its place, Σ p² would hold Σ Var p, and b
 //   come out smaller by that share, a tenth where a pixel has a dozen steps;
 // - the interval is a delete-a-group jackknife in which a group takes its slice of the seed pass and
-//   its chains along, for a film's bins share samples and (JᵀJ)⁻¹ would know nothing of it.
+//   its chains along, for a film's bins share samples and (JᵀJ)⁻¹ would know nothing of it; where
+//   chains are short a part of b goes with products of what two groups found, which it would count
+//   twice (statistics/jackknife.h).
 // What is left is a bias of the order 1/samples: for study, and as a second opinion on the bridge.
 #pragma once
 
@@ -28,16 +30,14 @@ struct FilmFitGroup {
 
 struct FilmFit {
   double b = 0;
-  std::vector<double> without;  // b from all groups but one
-  std::size_t bins = 0;         // that were compared: fewer than there are where chains know little
-  double chi2_per_degree = 0;   // of the residuals, as if bins were independent
-  std::string failure;          // why there is no b; empty if there is
+  // b from all groups but one, drawn towards their mean by what products of two groups add.
+  std::vector<double> without;
+  std::size_t bins = 0;        // that were compared: fewer than there are where chains know little
+  double chi2_per_degree = 0;  // of the residuals, as if bins were independent
+  std::string failure;         // why there is no b; empty if there is
 };
 
 // By Ceres; needs two groups in each half, and two bins.  `shape` of the films: fastest axis last.
 FilmFit fit_films(std::span<const FilmFitGroup> groups, std::span<const int> shape);
-
-// The mean over the bins of a film that lie at most two away along each axis.
-std::vector<double> smoothed(const std::vector<double>& film, std::span<const int> shape);
 
 }  // namespace wander

@@ -218,7 +218,7 @@ TEST(Shading, GivesAllEstimatorsTheSameFilm) {
     const Scene<W> scene(SmoothRoom(material).parts);
     const auto reference = sample_film(scene, find_estimator("bdpt"), 240'000, 1);
     for (const auto method : {"pt", "lt", "pt-naive", "lt-naive"})
-      EXPECT_TRUE(passes(agree(sample_film(scene, find_estimator(method), 60'000, 2), reference)))
+      EXPECT_TRUE(passes(agree(sample_film(scene, find_estimator(method), 30'000, 2), reference)))
           << method << ", material " << material.index();
     // The same room shaded flat is another one.
     const Scene<W> flat(SmoothRoom(material, Shading::flat).parts);

@@ -1,5 +1,5 @@
 // As claimed_normalization_test.cpp, of every method that has chains and of thousands of runs: errors that are
-// a tenth too short are seen of each estimate alone; of merged chains and of least squares, a fifth.
+// a tenth too short are seen of each estimate alone, but of least squares and of merged chains a fifth.
 // False alarms: 1e-9 for all that the runs of a method claim, beyond the tolerance.
 #include <gtest/gtest.h>
 
@@ -13,23 +13,17 @@ namespace {
 
 constexpr double tolerance_of_many = 0.03;
 
-// The jackknife counts the squares of the noise of the chains' film twice in least squares, which shows where
-// chains are too short to know 16 bins within half a percent (docs/normalization.md): there it is left out.
-enum class LeastSquares { tested, left_out };
-
 struct ManySmallRuns {
   SmallRuns runs;
   double too_short;  // a factor of errors that is seen
-  LeastSquares least_squares = LeastSquares::left_out;
 };
 std::ostream& operator<<(std::ostream& out, const ManySmallRuns& c) { return out << c.runs; }
 
 class ClaimsOfManyRuns : public ::testing::TestWithParam<ManySmallRuns> {};
 
 TEST_P(ClaimsOfManyRuns, AreTrue) {
-  const auto& [runs, too_short, least_squares] = GetParam();
-  Claims claims = claims_of(runs);
-  if (least_squares == LeastSquares::left_out) claims.erase("least_squares");
+  const auto& [runs, too_short] = GetParam();
+  const Claims claims = claims_of(runs);
   const Decision decision = claims_test(claims, tolerance_of_many, usual_false_alarm);
   std::cout << "  " << runs << ": " << decision.detail << ", sees " << decision.visible << '\n';
   EXPECT_TRUE(passes(decision));
@@ -38,11 +32,10 @@ TEST_P(ClaimsOfManyRuns, AreTrue) {
 }
 INSTANTIATE_TEST_SUITE_P(
     Methods, ClaimsOfManyRuns,
-    ::testing::Values(ManySmallRuns{{"article-1", "mlt", 3200, 2048, 5000}, 0.9},
-                      ManySmallRuns{{"article-1", "pssmlt", 3200, 2048, 5000}, 0.9},
-                      ManySmallRuns{{"article-1", "mmlt", 3200, 2048, 5000}, 0.9},
-                      ManySmallRuns{
-                          {"article-1", "pssmlt", 51'200, 2048, 2000}, 0.8, LeastSquares::tested},
+    ::testing::Values(ManySmallRuns{{"article-1", "mlt", 3200, 2048, 5000}, 0.85},
+                      ManySmallRuns{{"article-1", "pssmlt", 3200, 2048, 5000}, 0.85},
+                      ManySmallRuns{{"article-1", "mmlt", 3200, 2048, 5000}, 0.85},
+                      ManySmallRuns{{"article-1", "pssmlt", 51'200, 2048, 2000}, 0.8},
                       ManySmallRuns{{"article-1", "mlt", 3200, 1024, 1000, 2}, 0.8},
                       ManySmallRuns{{"article-1", "pt", 1000, 0, 2000, 2}, 0.9},
                       ManySmallRuns{{"article-2", "bdpt", 1000, 0, 2000, 2}, 0.9}));

@@ -1,4 +1,4 @@
-// What runs claim of b, by the seed pass and by the bridge, of the light of each length, and of films that are
+// What runs claim of b, three ways, of the light of each length, and of films that are
 // merged of several runs, is what hundreds of small runs vary by: from both sides.
 //
 // False alarms: 1e-9 for all that runs claim, beyond the tolerance, by the normal law of the jackknife.  What
@@ -17,9 +17,7 @@ constexpr double tolerance_of_hundreds = 0.03;
 
 // Control: of errors that are a third too short each is caught alone.
 void expect_true_and_short_ones_caught(const SmallRuns& c) {
-  Claims claims = claims_of(c);
-  claims.erase(
-      "least_squares");  // of chains as short as these: claimed_normalization_long_test.cpp
+  const Claims claims = claims_of(c);
   const Decision decision = claims_test(claims, tolerance_of_hundreds, usual_false_alarm);
   EXPECT_TRUE(passes(decision));
   std::cout << "  " << c << ": " << decision.detail << '\n';

@@ -8,11 +8,8 @@ namespace {
 TEST_F(MemoryOfRuns, IsBetweenHalfOfWhatTheySayAndTheWhole) {
   expect_between_half_and_the_whole({{"bdpt", 100},
                                      {"mlt", 100},
-                                     {"bdpt", 16'000},
                                      {"mlt", 16'000},
-                                     {"pssmlt", 16'000},
                                      {"mmlt", 16'000},
-                                     {"pt", 1'000'000},
                                      {"mlt", 300'000, "--by-length --maps"}});
 }
 

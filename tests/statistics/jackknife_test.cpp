@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <initializer_list>
+#include <numeric>
 #include <random>
 
 #include "statistics/decision.h"
@@ -64,6 +67,58 @@ TEST(Jackknife, OfGroupsOfUnequalSizesIsUnbiased) {
   }
   EXPECT_NEAR(weighted.mean(), 1, 5 * weighted.standard_error());
   EXPECT_GT(std::abs(unweighted.mean() - 1), 20 * unweighted.standard_error());
+}
+
+// θ = (x̄ + c) (ȳ + c) of independent normal numbers of variance σ² and mean 0: Var θ = 2 c² σ²/G + σ⁴/G².
+struct ProductOfMeans {
+  double c;
+  std::vector<double> x, y;
+
+  double without(std::initializer_list<std::size_t> groups) const {
+    double n = static_cast<double>(x.size());
+    double a = std::accumulate(x.begin(), x.end(), 0.0),
+           b = std::accumulate(y.begin(), y.end(), 0.0);
+    for (const std::size_t g : groups) {
+      a -= x[g];
+      b -= y[g];
+      --n;
+    }
+    return (a / n + c) * (b / n + c);
+  }
+};
+
+// The claimed over the true variance of 1500 of them, known to 3 % or better.  False alarm 1e-6 each; what the
+// jackknife claims alone is as far off as the theory says.
+TEST(Jackknife, CountsProductsOfTwoGroupsOnce) {
+  constexpr std::size_t groups = 64;
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal;
+  for (const double c : {0.2, 0.3, 1.0}) {
+    Moments once, twice;
+    const double n = groups, truth = 2 * c * c / n + 1 / (n * n);
+    for (int trial = 0; trial < 1500; ++trial) {
+      ProductOfMeans theta{c, {}, {}};
+      for (std::size_t g = 0; g < groups; ++g) {
+        theta.x.push_back(normal(random));
+        theta.y.push_back(normal(random));
+      }
+      std::vector<double> without;
+      std::vector<LeftOutPair> pairs;
+      for (std::size_t g = 0; g < groups; ++g) without.push_back(theta.without({g}));
+      for (std::size_t g = 0; g < groups; ++g)
+        for (const std::size_t apart : {1u, 3u, 5u, 7u}) {
+          const std::size_t h = (g + apart) % groups;
+          pairs.push_back({g, h, theta.without({g, h})});
+        }
+      twice.add(std::pow(jackknife_error(without), 2) / truth);
+      count_products_once(without, theta.without({}), pairs);
+      once.add(std::pow(jackknife_error(without), 2) / truth);
+    }
+    std::printf("  c %.1f: %.3f ± %.3f, alone %.3f\n", c, once.mean(), once.standard_error(),
+                twice.mean());
+    EXPECT_NEAR(once.mean(), 1, 0.02 + 5 * once.standard_error());
+    EXPECT_NEAR(twice.mean(), 1 + 1 / (n * n) / truth, 0.03 + 5 * twice.standard_error());
+  }
 }
 
 TEST(Jackknife, HasAsManyDegreesOfFreedomAsGroupsThatMoveIt) {

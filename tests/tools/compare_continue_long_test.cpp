@@ -8,7 +8,7 @@ class ContinuingLongReference : public ContinuingComparison {};
 
 TEST_F(ContinuingLongReference, WhatWasInterruptedGoesOnToItsEndAndMakesNoRunTwice) {
   write("mirror.json", mirror_box());
-  expect_to_go_on("mirror.json");
+  expect_to_go_on("mirror.json", "400k");
 }
 
 }  // namespace

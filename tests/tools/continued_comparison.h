@@ -44,9 +44,9 @@ class ContinuingComparison : public CompareCommand {
     expect_one_fault(compare(arguments), exit_code, words);
   }
 
-  // Interrupted amid its runs, then carried on.
-  void expect_to_go_on(const std::string& scene) {
-    const std::string all = scene + " -m pt,mlt -b 80k --replicates 3 -o ";
+  // Interrupted amid its runs of so many samples, then carried on.
+  void expect_to_go_on(const std::string& scene, const std::string& budget) {
+    const std::string all = scene + " -m pt,mlt -b " + budget + " --replicates 3 -o ";
     const Outcome first = interrupted_at("replicate [23] ", all + "cut");
     ASSERT_EQ(first.exit_code, 130) << first.err;
     const json before = numbers_in("cut");
@@ -57,7 +57,7 @@ class ContinuingComparison : public CompareCommand {
     const Outcome second = compare("--continue -o cut");
     ASSERT_EQ(second.exit_code, 0) << second.err;
     EXPECT_HAS(second.err, "carried on from " + std::to_string(made) + " of 6 runs");
-    EXPECT_HAS(second.err, std::to_string(6 - made) + " runs of 80k: about ");
+    EXPECT_HAS(second.err, std::to_string(6 - made) + " runs of " + budget + ": about ");
     const json after = numbers_in("cut");
     EXPECT_TRUE(after["complete"]);
     EXPECT_EQ(after["runs"].size(), 6u);
@@ -71,7 +71,7 @@ class ContinuingComparison : public CompareCommand {
     const Outcome third = compare("--continue -o cut");
     EXPECT_EQ(third.exit_code, 0) << third.err;
     EXPECT_HAS(third.err, "carried on from 6 of 6 runs");
-    EXPECT_LACKS(third.err, "runs of 80k");
+    EXPECT_LACKS(third.err, "runs of " + budget);
     EXPECT_EQ(kept_runs(), parts);
     EXPECT_EQ(numbers_in("cut"), after);
   }

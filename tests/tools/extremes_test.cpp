@@ -13,7 +13,7 @@ using nlohmann::json;
 using Extremes = CommandLine;
 
 TEST_F(Extremes, AreCheckedForEveryMethodInBothPrecisions) {
-  const Outcome check = wander("check box.json --extremes --samples 2k");
+  const Outcome check = wander("check gallery:parallel --extremes --samples 2k");
   EXPECT_EQ(check.exit_code, 0) << check.err;
   for (const char* part :
        {"bdpt in double", "mmlt in float", "lengths x 2^100            ", "radiances x 2^-90",

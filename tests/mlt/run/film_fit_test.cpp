@@ -11,6 +11,7 @@
 
 #include "core/rng.h"
 #include "mlt/run/coarse_films.h"
+#include "mlt/run/smoothed_film.h"
 #include "statistics/jackknife.h"
 #include "tests/support/expect.h"
 #include "tests/support/statistics.h"
@@ -162,7 +163,7 @@ double attenuated_fit(std::span<const FilmFitGroup> data) {
 }
 
 // Where chains have deposited little in each bin, of relative error 0.3 when all is summed, their noise
-// must not make b smaller; that of the usual form is a twelfth smaller.  300 pairs of films: the mean
+// must not make b smaller; that of the usual form is two percent smaller.  300 pairs of films: the mean
 // of 300 is within 0.3 of their spread but for 1e-7.
 TEST(FilmFit, NoiseOfTheChainsMakesItNoSmaller) {
   constexpr int runs = 300;
@@ -176,7 +177,7 @@ TEST(FilmFit, NoiseOfTheChainsMakesItNoSmaller) {
     twin_bias += (attenuated_fit(data) - b) / runs;
   }
   EXPECT_LT(std::abs(bias), 0.3 * std::sqrt(squares));
-  EXPECT_LT(twin_bias, -1.0 * std::sqrt(squares));
+  EXPECT_LT(twin_bias, -0.6 * std::sqrt(squares));
 }
 
 // The variance that it claims is the one that it has, whichever of the films is noisy, for a group that is

@@ -201,7 +201,7 @@ struct AcceptedOnly : KelemenWeights {
   }
 };
 TEST(PrimaryTwin, OfKelemensWeightsThatLeavesOutSomeLargeStepsIsCaught) {
-  constexpr Effort longer{60, 4096, 8000}, more_runs{2000, 32, 96};
+  constexpr Effort longer{60, 4096, 8000}, more_runs{1500, 32, 96};
   EXPECT_TRUE(rejects(mean_of_runs(&render_primary<PssmltGroup, SilentInTheDark>, more_runs)));
   EXPECT_TRUE(rejects(mean_of_runs(&render_primary<MmltGroup, SilentInTheDark>, more_runs)));
   EXPECT_TRUE(passes(mean_of_runs(&render_primary<PssmltGroup, KelemenWeights>, longer)));
