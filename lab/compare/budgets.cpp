@@ -62,7 +62,7 @@ Budget budget_of(double effort, const Budget& like) {
 
 std::string text_of(const Budget& budget) {
   if (const auto* time = std::get_if<TimeBudget>(&budget))
-    return fmt::format("{}{}s", time->seconds, time->kind == TimeKind::wall ? "" : "cpu-");
+    return fmt::format("{:.6g}{}s", time->seconds, time->kind == TimeKind::wall ? "" : "cpu-");
   return std::to_string(std::get<SampleBudget>(budget).samples);
 }
 

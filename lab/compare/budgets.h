@@ -23,7 +23,7 @@ bool are_the_same(const std::vector<NamedBudget>& a, const std::vector<NamedBudg
 double effort_of(const Budget& budget);
 // Of the same kind as `like`; whole samples.
 Budget budget_of(double effort, const Budget& like);
-// "48s", "48cpu-s", "20000000": as -b takes it.
+// "48s", "0.3cpu-s", "20000000": as -b takes it, seconds to six digits.
 std::string text_of(const Budget& budget);
 
 }  // namespace wander::compare

@@ -32,7 +32,7 @@ TEST_F(MemoryOfRuns, IsSaidWhereItIsMuch) {
 // The netCDF library dies where there is no more; a limit within reach of what the program takes.
 TEST_F(MemoryOfRuns, ThatTheTrajectoryFileHasNotIsSaid) {
   int refused = 0;
-  for (int kilobytes = 120'000; kilobytes < 180'000; kilobytes += 1'500) {
+  for (int kilobytes = 120'000; kilobytes < 180'000; kilobytes += 3'000) {
     const Outcome outcome =
         shell("ulimit -v " + std::to_string(kilobytes) +
               "; \"$WANDER\" trace box.json --steps 30 -t 1 -q -o steps.nc --force");

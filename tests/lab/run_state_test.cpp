@@ -125,8 +125,6 @@ INSTANTIATE_TEST_SUITE_P(
                       Case{"mlt"}, Case{"pssmlt"}, Case{"pssmlt", StepEstimator::expected},
                       Case{"mmlt"}, Case{"mmlt", StepEstimator::kelemen},
                       Case{"bdpt", StepEstimator::usual, large},
-                      Case{"mlt", StepEstimator::usual, large},
-                      Case{"pssmlt", StepEstimator::usual, large},
                       Case{"mmlt", StepEstimator::usual, large},
                       Case{"mlt", StepEstimator::usual, {}, FilmParts::pooled},
                       Case{"mmlt", StepEstimator::usual, {}, FilmParts::pooled},

@@ -49,9 +49,9 @@ FilmEstimate upside_down(FilmEstimate film) {
 // Chains have wide intervals after few samples.
 FilmEstimate film_of(const Maker& maker, std::string_view method) {
   Session session;
-  session.budget = SampleBudget{method == "mmlt"          ? 400'000u
-                                : method.ends_with("mlt") ? 200'000u
-                                                          : 100'000u};
+  session.budget = SampleBudget{method == "mmlt"          ? 300'000u
+                                : method.ends_with("mlt") ? 150'000u
+                                                          : 75'000u};
   session.threads = 2;
   return render(Job(maker.description(), find_method(method)), session).film;
 }

@@ -28,7 +28,7 @@ class Merge : public KilledRuns {
 };
 
 TEST_F(Merge, InAnyOrderHasTheSameBits) {
-  for (const std::string method : {"bdpt", "mlt", "pssmlt --precision float", "mmlt"}) {
+  for (const std::string method : {"bdpt", "mlt", "mmlt --precision float"}) {
     SCOPED_TRACE(method);
     render("a", "--force -m " + method + " -b 20k -s 3");
     render("b", "--force -m " + method + " -b 70k -s 12");

@@ -29,6 +29,13 @@ std::vector<Entrant> line_up(std::string_view methods, const std::vector<std::st
 
 using Words = std::vector<std::string>;
 
+TEST(Budgets, AreWrittenAsTheyAreGiven) {
+  for (const char* text : {"0.25s", "48s", "0.3cpu-s", "20000000"})
+    EXPECT_EQ(text_of(parse_budgets(text).front().budget), text);
+  // Three times a tenth is not three tenths.
+  EXPECT_EQ(text_of(budget_of(3 * 0.1, TimeBudget{0.1})), "0.3s");
+}
+
 TEST(LineUp, WithoutSweepsIsTheMethods) {
   const auto entrants = line_up("pt,bdpt", {}, {});
   EXPECT_EQ(labels(entrants), (Words{"pt", "bdpt"}));

@@ -22,7 +22,7 @@ namespace {
 
 using Flat = Transport<Flatland>;
 
-constexpr int groups = 100'000, chains = 1;
+constexpr int groups = 70'000, chains = 1;
 constexpr std::uint64_t samples = 1, steps = 2, beside = 1;
 
 // How a twin may go wrong.

@@ -154,7 +154,7 @@ struct Effort {
   std::uint64_t runs, seeds, steps;  // each run has 32 groups
 };
 // One seed sample in each group, so that most are dark, and three steps.
-constexpr Effort hardly_any{1500, 32, 96};
+constexpr Effort hardly_any{1000, 32, 96};
 
 // The mean of many runs.
 Decision mean_of_runs(Renderer render, Effort effort) {
