@@ -83,7 +83,8 @@ double refined_factor(const Film& found, const Film& shape, const FactorVariance
     beta -= above / below;
     if (std::abs(above) <= tolerance * below) return b0 * std::exp(beta);
   }
-  return std::numeric_limits<double>::quiet_NaN();
+  const std::optional<Factor> factor = fit_factor(found, shape, variances, b0);
+  return factor ? factor->b : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace wander

@@ -23,8 +23,8 @@ struct Factor {
 std::optional<Factor> fit_factor(const std::vector<double>& found, const std::vector<double>& shape,
                                  const FactorVariances& variances, double b0);
 
-// The same where b is about b0 already, by Gauss and Newton alone, for a jackknife asks hundreds of times.
-// NaN where that does not converge.
+// The same where b is about b0 already, by Gauss and Newton alone, for a jackknife asks hundreds of times; by
+// Ceres where that fails.  NaN where it fails, too.
 double refined_factor(const std::vector<double>& found, const std::vector<double>& shape,
                       const FactorVariances& variances, double b0);
 
