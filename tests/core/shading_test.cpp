@@ -216,13 +216,13 @@ TEST(Shading, GivesAllEstimatorsTheSameFilm) {
         Material<W>(Dielectric<W>{1.5, 1}), Material<W>(RoughConductor<W>{0.4, 0.9}),
         Material<W>(RoughDielectric<W>{0.5, 1.5, 1})}) {
     const Scene<W> scene(SmoothRoom(material).parts);
-    const auto reference = sample_film(scene, find_estimator("bdpt"), 180'000, 1);
+    const auto reference = sample_film(scene, find_estimator("bdpt"), 240'000, 1);
     for (const auto method : {"pt", "lt", "pt-naive", "lt-naive"})
-      EXPECT_TRUE(passes(agree(sample_film(scene, find_estimator(method), 30'000, 2), reference)))
+      EXPECT_TRUE(passes(agree(sample_film(scene, find_estimator(method), 60'000, 2), reference)))
           << method << ", material " << material.index();
     // The same room shaded flat is another one.
     const Scene<W> flat(SmoothRoom(material, Shading::flat).parts);
-    EXPECT_TRUE(rejects(agree(sample_film(flat, find_estimator("bdpt"), 180'000, 3), reference)))
+    EXPECT_TRUE(rejects(agree(sample_film(flat, find_estimator("bdpt"), 240'000, 3), reference)))
         << "material " << material.index();
   }
 }
