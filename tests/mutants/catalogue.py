@@ -1,4 +1,5 @@
 """The catalogue of planted bugs: reads the patches, checks them, and writes docs/mutants.md."""
+import functools
 import os
 import re
 import subprocess
@@ -16,6 +17,12 @@ class Fault(Exception):
     """What is wrong, with its place and remedy."""
 
 
+@functools.cache
+def test_texts():
+    """{test file, below TESTS: its text}."""
+    return {path.relative_to(TESTS): path.read_text() for path in sorted(TESTS.rglob("*_test.cpp"))}
+
+
 @dataclass(frozen=True)
 class Mutant:
     path: Path
@@ -30,8 +37,7 @@ class Mutant:
         return self.path.stem
 
     def test_files(self):
-        names = (path.relative_to(TESTS) for path in sorted(TESTS.rglob("*_test.cpp")))
-        return [name for name in names if re.search(self.files, str(name))]
+        return [name for name in test_texts() if re.search(self.files, str(name))]
 
 
 def read(path):
@@ -56,14 +62,35 @@ def load():
     return mutants
 
 
-def check_applies(mutant):
+def what_does_not_apply(mutants):
+    """What git says of their patches together, which touch no file twice; empty if all apply."""
     # Git must not take the tree for a part of a repository around it.
     environment = {**os.environ, "GIT_CEILING_DIRECTORIES": str(REPOSITORY.parent)}
-    done = subprocess.run([*GIT_APPLY, "--check", mutant.path], cwd=REPOSITORY,
+    done = subprocess.run([*GIT_APPLY, "--check", *(m.path for m in mutants)], cwd=REPOSITORY,
                           env=environment, capture_output=True, text=True)
-    if done.returncode != 0:
-        raise Fault(f"{mutant.path}: does not apply; plant the bug in the text as it is now\n"
-                    f"{done.stderr.strip()}")
+    return done.stderr.strip() if done.returncode != 0 else ""
+
+
+def batches_of(mutants):
+    """Of patches that touch no file twice: git starts a few times, not once for each."""
+    batches = []  # the files that are touched, and the mutants
+    for mutant in mutants:
+        files = set(re.findall(r"^--- a/(.+)$", mutant.path.read_text(), re.MULTILINE))
+        batch = next((b for b in batches if b[0].isdisjoint(files)), None)
+        if batch is None:
+            batches.append(batch := (set(), []))
+        batch[0].update(files)
+        batch[1].append(mutant)
+    return [batch for _, batch in batches]
+
+
+def check_apply(mutants):
+    for batch in batches_of(mutants):
+        if not what_does_not_apply(batch):
+            continue
+        for mutant in batch:
+            if words := what_does_not_apply([mutant]):
+                raise Fault(f"{mutant.path}: does not apply; plant the bug in the text as it is now\n{words}")
 
 
 def tests_of(mutant):
@@ -76,7 +103,7 @@ def tests_of(mutant):
 
 
 def check_tests_exist(mutant):
-    text = "".join((TESTS / file).read_text() for file in mutant.test_files())
+    text = "".join(test_texts()[file] for file in mutant.test_files())
     for suite, test in tests_of(mutant):
         if not re.search(rf"TEST\w*\(\s*{suite},\s*{test}\s*\)", text):
             raise Fault(f"{mutant.path}: no test file that matches {mutant.files} holds {suite}.{test}")
@@ -93,8 +120,8 @@ def check_left_out(mutants):
 
 def check(mutants, said):
     check_left_out(mutants)
+    check_apply(mutants)
     for mutant in mutants:
-        check_applies(mutant)
         check_tests_exist(mutant)
     if (REPOSITORY / "docs/mutants.md").read_text() != document(mutants, said):
         raise Fault("docs/mutants.md: is out of step with tests/mutants; run tests/mutants/run --docs")
