@@ -184,7 +184,7 @@ TEST_F(CompareCommand, AnInterruptedComparisonKnowsTheErrorsOfWhatItMade) {
   std::string values = "0.01";
   for (int i = 2; i < 50; ++i) values += fmt::format(",{:.2f}", 0.01 * i);
   const Outcome outcome = interrupted_at("\"fraction\":0.[2-9]",
-                                         "mirror.json -m mlt -b 0.12s --replicates 2 -o out "
+                                         "mirror.json -m mlt -b 0.2s --replicates 2 -o out "
                                          "--sweep large_step=" +
                                              values);
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
