@@ -255,7 +255,7 @@ TEST_F(CommandLine, AnInterruptedRunIsSavedAsIncomplete) {
   for (const std::string signal : {"INT", "TERM"}) {
     const Outcome outcome =
         shell("timeout -s " + signal +
-              " --preserve-status 0.5 \"$WANDER\" render box.json -m bdpt -b 60s -t 1 -o " + signal);
+              " --preserve-status 1 \"$WANDER\" render box.json -m bdpt -b 60s -t 1 -o " + signal);
     ASSERT_EQ(outcome.exit_code, 130) << outcome.err;
     const json run = json::parse(contents(folder / signal / "run.json"));
     EXPECT_EQ(run["complete"], false);
@@ -266,7 +266,7 @@ TEST_F(CommandLine, AnInterruptedRunIsSavedAsIncomplete) {
 
 TEST_F(CommandLine, OneInterruptionThatArrivesTwiceIsSavedToo) {
   const Outcome outcome = shell(
-      "\"$WANDER\" render box.json -m bdpt -b 60s -t 1 -o twice & run=$!; sleep 0.5; kill -INT $run; "
+      "\"$WANDER\" render box.json -m bdpt -b 60s -t 1 -o twice & run=$!; sleep 1; kill -INT $run; "
       "sleep 0.02; kill -INT $run; wait $run");
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
   EXPECT_EQ(json::parse(contents(folder / "twice" / "run.json"))["complete"], false);
