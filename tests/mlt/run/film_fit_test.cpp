@@ -162,22 +162,24 @@ double attenuated_fit(std::span<const FilmFitGroup> data) {
   return above / below;
 }
 
-// Where chains have deposited little in each bin, of relative error 0.3 when all is summed, their noise
-// must not make b smaller; that of the usual form is two percent smaller.  300 pairs of films: the mean
+// Where chains have deposited little in each bin, of relative error 0.5 when all is summed, their noise
+// must not make b smaller; that of the usual form is two spreads smaller.  300 pairs of films: the mean
 // of 300 is within 0.3 of their spread but for 1e-7.
 TEST(FilmFit, NoiseOfTheChainsMakesItNoSmaller) {
   constexpr int runs = 300;
   double bias = 0, squares = 0, twin_bias = 0;
   for (int run = 0; run < runs; ++run) {
-    const auto data = simulate(0.5, 1.7, static_cast<std::uint64_t>(1000 + run));
+    const auto data = simulate(0.1, 3.0, static_cast<std::uint64_t>(1000 + run));
     const FilmFit fit = fit_films(data, row);
     ASSERT_TRUE(fit.failure.empty());
     bias += (fit.b - b) / runs;
     squares += (fit.b - b) * (fit.b - b) / runs;
     twin_bias += (attenuated_fit(data) - b) / runs;
   }
+  std::printf("  bias %.3f, of the usual form %.3f spreads\n", bias / std::sqrt(squares),
+              twin_bias / std::sqrt(squares));
   EXPECT_LT(std::abs(bias), 0.3 * std::sqrt(squares));
-  EXPECT_LT(twin_bias, -0.6 * std::sqrt(squares));
+  EXPECT_LT(twin_bias, -1.0 * std::sqrt(squares));
 }
 
 // The variance that it claims is the one that it has, whichever of the films is noisy, for a group that is
