@@ -15,7 +15,7 @@
 #include "lab/compare/plausible.h"
 #include "tests/support/statistics.h"
 
-namespace wander::test {
+namespace wander::test::plausible_law_test {
 namespace {
 
 // P(log(E D / D̄) <= x) of replicates, with numbers that a twin can change.
@@ -143,4 +143,4 @@ TEST(PlausibleLaw, OtherNumbersAreCaught) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::plausible_law_test

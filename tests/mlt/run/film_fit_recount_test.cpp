@@ -13,7 +13,7 @@
 #include "mlt/run/film_fit.h"
 #include "tests/support/generator.h"
 
-namespace wander::test {
+namespace wander::test::film_fit_recount_test {
 namespace {
 
 constexpr std::size_t groups = 8, bins = 3;
@@ -147,4 +147,4 @@ TEST(FilmFitRecount, IsWhatItsDefinitionGives) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::film_fit_recount_test
