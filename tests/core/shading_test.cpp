@@ -222,7 +222,7 @@ TEST(Shading, GivesAllEstimatorsTheSameFilm) {
           << method << ", material " << material.index();
     // The same room shaded flat is another one.
     const Scene<W> flat(SmoothRoom(material, Shading::flat).parts);
-    EXPECT_TRUE(rejects(agree(sample_film(flat, find_estimator("bdpt"), 240'000, 3), reference)))
+    EXPECT_TRUE(rejects(agree(sample_film(flat, find_estimator("bdpt"), 160'000, 3), reference)))
         << "material " << material.index();
   }
 }

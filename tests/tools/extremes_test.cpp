@@ -13,7 +13,7 @@ using nlohmann::json;
 using Extremes = CommandLine;
 
 TEST_F(Extremes, AreCheckedForEveryMethodInBothPrecisions) {
-  const Outcome check = wander("check gallery:parallel --extremes --samples 2k");
+  const Outcome check = wander("check gallery:parallel --extremes --samples 1k");
   EXPECT_EQ(check.exit_code, 0) << check.err;
   for (const char* part :
        {"bdpt in double", "mmlt in float", "lengths x 2^100            ", "radiances x 2^-90",
@@ -22,7 +22,7 @@ TEST_F(Extremes, AreCheckedForEveryMethodInBothPrecisions) {
     EXPECT_HAS(check.out, part);
   // Single precision has a range of its own.
   EXPECT_HAS(check.out, "refused: ");
-  const Outcome outcome = wander("check box.json --extremes --samples 2k --json");
+  const Outcome outcome = wander("check box.json --extremes --samples 1k --json");
   const json document = json::parse(outcome.out);
   EXPECT_EQ(document["schema"], "wanderlight-extremes/1");
   EXPECT_EQ(document["passed"], true);
