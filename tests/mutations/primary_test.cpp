@@ -189,6 +189,69 @@ TEST_P(InverseMap, OfASmallStepHasTheDensitiesOfOneTechnique) {
   EXPECT_GT(proposals, 500);
 }
 
+// Which lamp, or which lobe: a path fixes no number that chooses.
+bool has_choices(const Flat& space, const Path<W>& x, int s) {
+  if (s > 0 && space.chooses_light(x[0])) return true;
+  for (int i = 0; i < x.size(); ++i)
+    if (is_specular(x[i].event) || space.chooses_lobe(x[i])) return true;
+  return false;
+}
+
+// The random numbers of technique s that a path fixes, first from the light and then from the sensor.
+std::vector<double> numbers_of(const Flat& space, const Path<W>& x, int s, Rng& random) {
+  std::vector<double> numbers;
+  const auto add = [&](Toward toward, int count) {
+    if (count == 0) return;
+    const bool from_light = toward == Toward::sensor;
+    const int end = from_light ? 0 : x.size() - 1;
+    const PointNumbers<W> point = space.invert_begin(x, end, random);
+    if (!space.is_pinhole(x[end])) numbers.push_back(point.position[0]);
+    for (int k = 0, i = end; k + 1 < count; ++k, i += from_light ? 1 : -1)
+      numbers.push_back(space.invert_extend(x, i, toward, random).direction[0]);
+  };
+  add(Toward::sensor, s);
+  add(Toward::light, x.size() - s);
+  return numbers;
+}
+
+// T(x→y) whole: K of all numbers that moved.  What cancels in the acceptance is in the logs all the same.
+TEST_P(InverseMap, OfASmallStepHasTheDensityOfEachMove) {
+  const FlatScene scene = build(lit_scenes()[static_cast<std::size_t>(GetParam())].scene);
+  const Flat space(*scene, Roulette::off);
+  PathSampler<Flat> sampler(space, all_techniques, Heuristic::balance);
+  Rng random(1, Purpose::test, 12), numbers(1, Purpose::test, 14);
+  Path<W> x(space.max_vertices()), y(space.max_vertices());
+  int proposals = 0;
+  const auto look_at = [&] {
+    weigh(space, x);
+    Rng again = numbers;
+    const int s = again.choose(x.weights());
+    const Proposed proposed = PrimarySmall{}.propose(space, x, y, numbers);
+    const Proposal* p = std::get_if<Proposal>(&proposed);
+    if (!p || has_choices(space, x, s) || has_choices(space, y, s)) return;
+    ++proposals;
+    const std::vector<double> u = numbers_of(space, x, s, again),
+                              v = numbers_of(space, y, s, again);
+    ASSERT_EQ(u.size(), v.size());
+    double expected = x.weights()[static_cast<std::size_t>(s)] * technique_density(y, s).value();
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      const double across = std::abs(v[k] - u[k]), distance = std::min(across, 1 - across);
+      expected /=
+          2 * distance * std::log(PrimarySmall{}.kernel.largest / PrimarySmall{}.kernel.smallest);
+    }
+    ASSERT_NEAR(p->forward.value() / expected, 1, 1e-6) << path_class(x) << ", technique " << s;
+  };
+  for (std::uint64_t i = 0; i < 2000 && !HasFatalFailure(); ++i) {
+    random.start(i);
+    numbers.start(i);
+    sampler.sample(random, [&](const Path<W>& found, int, double) {
+      x = found;
+      if (!HasFatalFailure()) look_at();
+    });
+  }
+  EXPECT_GT(proposals, 500);
+}
+
 INSTANTIATE_TEST_SUITE_P(Rooms, InverseMap,
                          ::testing::Range(0, static_cast<int>(lit_scenes().size())),
                          [](const auto& test) {

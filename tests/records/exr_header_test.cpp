@@ -34,14 +34,14 @@ class ExrHeader : public ::testing::Test {
   ~ExrHeader() override { fs::remove_all(folder); }
 
   // One pixel, and in its header what programs of pictures write.
-  void film_of_others() const {
+  void film_of_others(unsigned width = 2, unsigned height = 3) const {
     Imf::Header header(1, 1);
     header.channels().insert("Y", Imf::Channel(Imf::FLOAT));
     header.insert("up", Imf::V3fAttribute({0, 0, 1}));
     header.insert("worldToCamera", Imf::M44fAttribute(Imath::M44f()));
     header.insert("timeCode", Imf::TimeCodeAttribute(Imf::TimeCode()));
     header.insert("views", Imf::StringVectorAttribute({"left", "right"}));
-    header.setPreviewImage(Imf::PreviewImage(2, 3));
+    header.setPreviewImage(Imf::PreviewImage(width, height));
     Imf::OutputFile file(path.c_str(), header);
     float pixel = 1;
     Imf::FrameBuffer buffer;
@@ -68,6 +68,11 @@ class ExrHeader : public ::testing::Test {
 
 TEST_F(ExrHeader, OfOtherProgramsPasses) {
   film_of_others();
+  EXPECT_NO_THROW(require_plausible_header(path));
+}
+
+TEST_F(ExrHeader, OfAnEmptyPreviewPasses) {
+  film_of_others(0, 0);
   EXPECT_NO_THROW(require_plausible_header(path));
 }
 

@@ -26,6 +26,7 @@ inline RunRecord markov_chain_run() {
   rendering.seconds = 1.25;
   rendering.processor_seconds = 2.125;
   rendering.seed_seconds = 0.25;
+  rendering.precision = "float";
   rendering.film.shape = {3};
   rendering.film.value = {0.1, 1e-30, 1 / 3.0};
   rendering.film.standard_error = {0.01, unknown, 1e-3};

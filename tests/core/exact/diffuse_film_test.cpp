@@ -91,6 +91,17 @@ TEST(AdaptiveRadiosity, KnowsItsErrorWhereReflectedLightHasNarrowPenumbras) {
   EXPECT_GT(largest_excess(fixed, truth, claim), 100);
 }
 
+// Where no mesh is good enough the last one that is small enough stands, and says what it lacks.
+TEST(AdaptiveRadiosity, EndsWhereUnknownsRunOut) {
+  const RadiosityScene scene = radiosity_scene(shafts().description());
+  const auto coarse = exact::solve_radiosity_adaptively(scene, {.tolerance = 1});
+  const std::size_t most = 2 * coarse.unknowns;
+  const auto finest =
+      exact::solve_radiosity_adaptively(scene, {.tolerance = 0, .most_unknowns = most});
+  EXPECT_GT(finest.unknowns, coarse.unknowns);
+  EXPECT_LE(finest.unknowns, most);
+}
+
 TEST(DiffuseFilm, IsWhatRandomPathsFind) {
   const SceneMaker maker = shafts();
   const DiffuseFilm exact = diffuse_film(maker.description());

@@ -123,6 +123,51 @@ TEST(Bridge, LeavesOutEachGroupAsIfItHadNotBeen) {
   EXPECT_LT(farthest, 0.3 * std::sqrt(squares / groups));
 }
 
+// Of a mean over all samples of one side, how many draws of its paths would know it as well as its groups do, and
+// its square over the variance that they show.
+struct KnownBy {
+  double as_draws, as_events;
+};
+template <class Value>
+KnownBy known(const std::vector<Side>& sides, double each, Value&& value) {
+  const double all = each * groups;
+  double mean = 0, square = 0, spread = 0;
+  for (const Side& side : sides)
+    for (const double l : side.values) {
+      mean += value(l) / all;
+      square += value(l) * value(l) / all;
+    }
+  for (const Side& side : sides) {
+    double sum = 0;
+    for (const double l : side.values) sum += value(l);
+    spread += std::pow((sum - each * mean) / all, 2);
+  }
+  return {square / spread, mean * mean / spread};
+}
+
+// Two rounds: r of the sides at the b of the r before, all over the values one by one.  Paths of the seed pass
+// have the spread of points of a process, states that of draws.
+TEST(Bridge, WeighsItsSidesByWhatTheirGroupsShow) {
+  const Model model{.sigma = 1.5, .samples = 6400, .states = 3200};
+  const Sides sides = simulate(model, 7);
+  double balance = 1, events = 0;
+  for (int round = 0; round <= 2; ++round) {
+    const double b = fixed_point(sides, balance);
+    const auto h = [&](double l) { return l / (balance * l + b); };
+    const auto m = [&](double l) { return 1 / (balance * l + b); };
+    const double each = static_cast<double>(model.states) / groups;
+    const KnownBy found = known(sides.found, sides.samples_of_group, h);
+    const KnownBy states = known(sides.states, each, m);
+    const double size = states.as_draws - states.as_events;  // of a variance about the mean
+    events = found.as_events;
+    if (round < 2) balance = size / found.as_draws;
+  }
+  const BridgeFit fit = bridge(sides.data());
+  EXPECT_NEAR(fit.balance / balance, 1, 4e-3);  // cells have a width
+  EXPECT_NEAR(fit.effective_samples / events, 1, 1e-3);
+  EXPECT_LT(fit.effective_samples, model.samples);
+}
+
 // Where all paths that are found are alike, b is a share of the samples: of N, so many found, N p / (1 - p)
 // events would tell as much, known from 32 groups to a quarter; false alarms 1e-9 within six of those.
 TEST(Bridge, KnowsHowManyEventsWouldTellAsMuch) {

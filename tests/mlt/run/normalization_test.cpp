@@ -52,6 +52,12 @@ class Groups {
                          {{0b1, first}, {0b10, second}}});
   }
   std::span<const GroupFindings> findings() const { return findings_; }
+  // Of chains whose states have no class.
+  std::vector<GroupFindings> without_classes() const {
+    std::vector<GroupFindings> result = findings_;
+    for (GroupFindings& group : result) group.classes.clear();
+    return result;
+  }
 
  private:
   struct Held {
@@ -194,6 +200,31 @@ TEST(ConstantsAlarm, NamesTheClassThatTheChainsMissed) {
             std::string::npos);
   b.bridge.failure = "none";
   EXPECT_EQ(disagreement_of_constants(groups.findings(), b), "");
+}
+
+// Where states have no class, lengths tell.  3 of 4 parts of the chains' light are of three vertices, of which the seed pass saw nothing.
+TEST(ConstantsAlarm, NamesTheLengthWhereStatesHaveNoClass) {
+  Groups groups;
+  for (int g = 0; g < 32; ++g) groups.add(4 + g % 2, 1, 3);
+  Constants b = constants(groups.findings());
+  b.bridge.b = {b.seed_pass.b.value, 0};
+  b.seed_pass.b.standard_error = 0.01 * b.seed_pass.b.value;
+  b.bridge.b.value *= 1.2;
+  const std::string alarm = disagreement_of_constants(groups.without_classes(), b);
+  EXPECT_NE(alarm.find("of 3 vertices (0 by the seed pass"), std::string::npos) << alarm;
+}
+
+TEST(ConstantsAlarm, TakesWhatSamplesFoundByClassWhereChainsOfAGroupFoundNoLight) {
+  Groups groups;
+  groups.add(4, 4, 0);
+  groups.add(4, 0, 0);
+  Constants b;
+  b.seed_pass.b = {0.4, 0.01};
+  b.bridge.b = {0.6, 0.01};
+  const std::vector<GroupFindings> findings{groups.findings()[0], groups.without_classes()[1]};
+  EXPECT_NE(disagreement_of_constants(findings, b).find("paths LE (0.4 by the seed pass, 0.6 by"),
+            std::string::npos)
+      << disagreement_of_constants(findings, b);
 }
 
 // Deposits are light only with the constant of their group: 1 · (3, 1) and 4 · (1, 1) are 7 : 5.

@@ -101,6 +101,9 @@ TEST(PooledConstant, IsNoneWhereSamplesCarryNoLight) {
   Groups dark;
   for (int g = 0; g < 3; ++g) dark.add(0, 0, 3, 3, 1);
   EXPECT_FALSE(pooled_constant(dark.findings(), std::vector{3}).failure.empty());
+  Groups hard;  // what samples found is easy, and chains are nowhere but in what is not
+  for (int g = 0; g < 3; ++g) hard.add(1, 2, 3, 3, 1);
+  EXPECT_FALSE(pooled_constant(hard.findings(), std::vector{3}).failure.empty());
 }
 
 // Of one run the jackknife is to make the film again from all groups but one.
