@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "lab/archived_sums.h"
 #include "lab/pilot_run.h"
 #include "mlt/run/adaptation.h"
 #include "mlt/run/chain_settings.h"

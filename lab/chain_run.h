@@ -17,6 +17,7 @@
 #include <variant>
 
 #include "lab/adaptation_run.h"
+#include "lab/archived_sums.h"
 #include "lab/chain_findings.h"
 #include "lab/live_run.h"
 #include "lab/pilot_run.h"

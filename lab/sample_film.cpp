@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/large_sample_film.h"
+#include "lab/archived_sums.h"
 #include "lab/drive.h"
 
 namespace wander {

@@ -202,7 +202,7 @@ struct InWorld {
 
 TEST(CarriedOn, ToTheSameSamplesOrErrorHasTheSameBits) {
   for (const char* method : {"bdpt", "mlt"})
-    for (const Budget& budget : {Budget{SampleBudget{20'001}}, Budget{ErrorBudget{0.08}}}) {
+    for (const Budget& budget : {Budget{SampleBudget{20'001}}, Budget{ErrorBudget{0.12}}}) {
       SCOPED_TRACE(method);
       expect_carried_on(budget, [&](const wander::Run& execution) {
         return std::make_unique<InWorld>(method, execution);

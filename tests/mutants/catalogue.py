@@ -164,7 +164,7 @@ def document(mutants, said):
         "  Nearly all share one build of the copy, in which the environment says which one is on, so that a bug"
         " costs its test and no compiling; those that no switch can hold are planted and built one by one."
         "  The program itself has no switch for any of them.  The command also runs as the test `mutants`"
-        " of the long suite; the quick suite checks that every patch still applies and that this page is in step.\n",
+        ", labelled `campaign`; the quick suite checks that every patch still applies and that this page is in step.\n",
         f"{len(mutants)} bugs are planted; {left_out_count} more are left out, with"
         " their reasons below.\n",
         said + "\n",
