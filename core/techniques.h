@@ -22,6 +22,7 @@ struct TechniqueSet {
   bool holds(int s, int t) const {
     return s >= fewest_light && s <= most_light && t >= fewest_sensor && t <= most_sensor;
   }
+  bool operator==(const TechniqueSet&) const = default;
 };
 
 inline constexpr TechniqueSet all_techniques{};
@@ -51,23 +52,24 @@ inline double raised(double ratio, Heuristic heuristic) {
   return heuristic == Heuristic::balance ? ratio : ratio * ratio;
 }
 
-// w_s(x) among the techniques of `set`.  Ratios are summed by Horner's rule outwards from s, so
-// nothing overflows before the weight itself vanishes.
+// Ratios are summed by Horner's rule outwards from the edge, so nothing overflows before the weight itself
+// vanishes: where `beyond` is Σ_j (p_j / p_i)^β over j < i, of the vertices before x_i,
+//   Σ_j (p_j / p_{i+1})^β = (from_sensor_i / from_light_i)^β (1 + beyond),
+// the 1 only if technique i can sample the path.
 template <class Space, class W>
-double mis_weight(const Space& space, const Path<W>& x, int s, const TechniqueSet& set,
-                  Heuristic heuristic) {
-  double above = 0, below = 0;  // Σ (p_j / p_s)^β over j > s and over j < s
-  for (int i = x.size() - 1; i >= s; --i) {
-    const double possible = can_sample(space, x, i + 1, set) ? 1 : 0;
-    above =
-        raised(double(x[i].from_light) / double(x[i].from_sensor), heuristic) * (possible + above);
-  }
-  for (int i = 0; i < s; ++i) {
-    const double possible = can_sample(space, x, i, set) ? 1 : 0;
-    below =
-        raised(double(x[i].from_sensor) / double(x[i].from_light), heuristic) * (possible + below);
-  }
-  return 1 / (1 + above + below);
+double ratios_past_light_vertex(const Space& space, const Path<W>& x, int i,
+                                const TechniqueSet& set, Heuristic heuristic, double beyond) {
+  const double possible = can_sample(space, x, i, set) ? 1 : 0;
+  return raised(double(x[i].from_sensor) / double(x[i].from_light), heuristic) *
+         (possible + beyond);
+}
+// The same of the vertices behind x_i, towards the sensor: Σ_j (p_j / p_i)^β over j > i.
+template <class Space, class W>
+double ratios_past_sensor_vertex(const Space& space, const Path<W>& x, int i,
+                                 const TechniqueSet& set, Heuristic heuristic, double beyond) {
+  const double possible = can_sample(space, x, i + 1, set) ? 1 : 0;
+  return raised(double(x[i].from_light) / double(x[i].from_sensor), heuristic) *
+         (possible + beyond);
 }
 
 // p_{s,t}(x), with respect to the area product.
@@ -78,24 +80,15 @@ Scaled technique_density(const Path<W>& x, int s) {
   return p;
 }
 
-// f(x) / p_{s,t}(x).  Factors are paired so that each is of the order of one.
+// What x_i, sampled from the light or from the sensor, with the edge before it on that side, brings to f/p:
+// paired so that it is of the order of one.
 template <class W>
-double unweighted_contribution(const Path<W>& x, int s) {
-  const int n = x.size();
-  double c = (s > 0 && s < n ? x[s - 1].geometry : 1) * luminance(tint(x));
-  for (int i = 0; i < s; ++i)
-    c *= (i > 0 ? x[i - 1].geometry : 1) * double(x[i].value) / double(x[i].from_light);
-  for (int i = n - 1; i >= s; --i)
-    c *= (i < n - 1 ? x[i].geometry : 1) * double(x[i].value) / double(x[i].from_sensor);
-  return c;
+double light_factor(const Path<W>& x, int i) {
+  return (i > 0 ? x[i - 1].geometry : 1) * double(x[i].value) / double(x[i].from_light);
 }
-
-// w_s f / p_{s,t}; 0 where that is no positive number.
-template <class Space, class W>
-double weighted_contribution(const Space& space, const Path<W>& x, int s, const TechniqueSet& set,
-                             Heuristic heuristic) {
-  const double c = unweighted_contribution(x, s);
-  return c > 0 && std::isfinite(c) ? c * mis_weight(space, x, s, set, heuristic) : 0;
+template <class W>
+double sensor_factor(const Path<W>& x, int i) {
+  return (i + 1 < x.size() ? x[i].geometry : 1) * double(x[i].value) / double(x[i].from_sensor);
 }
 
 // Σ_s w_s q_s, where under Russian roulette the walks of technique s, which go on at all vertices but

@@ -32,9 +32,9 @@ std::unique_ptr<LiveRun> make_estimate(const Scene<W>& scene, const Estimator& e
     return [transport,
             sampler = PathSampler<Space>(*transport, estimator.techniques, estimator.heuristic)](
                Rng& rng, Contributions& found) mutable {
-      sampler.sample(rng, [&](const Path<W>& path, int s, double weighted) {
-        found.push_back({path.size(), s, transport->bin(path), weighted});
-        if constexpr (W::channels > 1) found.back().tint = colour(path).colour;
+      sampler.sample(rng, [&](const JoinedPath<W>& path, int s, double weighted) {
+        found.push_back({path.size(), s, transport->bin(path.ends()), weighted});
+        if constexpr (W::channels > 1) found.back().tint = path.colour().colour;
       });
     };
   };

@@ -181,7 +181,7 @@ void look_for_light(const Scene<W>& scene, Probe& found) {
   for (; !is_enough(); ++found.samples) {
     rng.start(found.samples);
     bool arrives = false;
-    sampler.sample(rng, [&](const Path<W>&, int, double) { arrives = true; });
+    sampler.sample(rng, [&](const JoinedPath<W>&, int, double) { arrives = true; });
     if (arrives) ++found.samples_with_light;
   }
   if (found.samples_with_light == 0)

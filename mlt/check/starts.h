@@ -70,10 +70,10 @@ class Starts {
     numbers_.start(i);
     choice_.start(i);
     double total = 0;
-    sampler_.sample(numbers_, [&](const Path<W>& x, int, double weight) {
+    sampler_.sample(numbers_, [&](const JoinedPath<W>& x, int, double weight) {
       const double clipped = std::min(weight, bound_);
       total += clipped;
-      if (choice_.uniform() * total < clipped) path_ = x;
+      if (choice_.uniform() * total < clipped) path_ = x.whole();
     });
     return total;
   }

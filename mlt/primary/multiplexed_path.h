@@ -4,6 +4,7 @@
 // whose mean is b_n, the light of paths of n vertices.
 #pragma once
 
+#include "core/path_sides.h"
 #include "mlt/chain.h"
 #include "mlt/primary/primary_chain.h"
 #include "mlt/primary/single_technique.h"
@@ -53,8 +54,9 @@ class MultiplexedSampler {
     y.total = 0;
     y.flaw = sample_technique(space_, y.path, vertices_, y.technique, random);
     if (y.flaw != Reason::none) return;
-    y.total = techniques() * weighted_contribution(space_, y.path, y.technique, all_techniques,
-                                                   Heuristic::balance);
+    const PathSides<W> sides =
+        sides_of(space_, y.path, y.technique, {all_techniques, Heuristic::balance});
+    y.total = techniques() * weighted_contribution(y.path, y.technique, sides);
     if (y.total > 0) {
       weigh(space_, y.path);
       y.bin = space_.bin(y.path);

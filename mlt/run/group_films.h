@@ -91,11 +91,11 @@ class SampleWatcher {
   SampleWatcher(const Space& space, PooledParts& parts) : space_(&space), parts_(&parts) {}
 
   // By the balance heuristic w f/p is l, or the part of it that a path is of a sample.
-  void found(const Path<W>& x, int technique, double light) {
+  void found(const JoinedPath<W>& x, int technique, double light) {
     if (R == Ratios::of_paths && parts_->takes_paths())
-      return parts_->add_path(x.size(), space_->bin(x), light, light);
-    sample_.push_back({x.size(), technique, space_->bin(x), light});
-    if constexpr (W::channels > 1) sample_.back().tint = colour(x).colour;
+      return parts_->add_path(x.size(), space_->bin(x.ends()), light, light);
+    sample_.push_back({x.size(), technique, space_->bin(x.ends()), light});
+    if constexpr (W::channels > 1) sample_.back().tint = x.colour().colour;
   }
   void end_sample(double total) {
     if (R == Ratios::of_paths && parts_->takes_paths()) return;

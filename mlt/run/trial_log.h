@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "core/joined_path.h"
 #include "core/path.h"
 #include "mlt/seeds/seeds.h"
 
@@ -52,8 +53,8 @@ class SampleLogger {
   SampleLogger(const Space& space, TrialLog& log)
       : space_(&space), log_(&log), begin_(log.found.size()) {}
 
-  void found(const Path<W>& x, int /*technique*/, double light) {
-    log_->found.push_back({log_->samples, space_->bin(x), light, light});
+  void found(const JoinedPath<W>& x, int /*technique*/, double light) {
+    log_->found.push_back({log_->samples, space_->bin(x.ends()), light, light});
   }
   void end_sample(double total) {
     if constexpr (R == Ratios::of_samples)

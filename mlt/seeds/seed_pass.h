@@ -50,7 +50,7 @@ struct SeedEvidence {
 struct NoWatcher {
   // A path of the sample under way.
   template <class W>
-  void found(const Path<W>&, int /*technique*/, double /*w f/p*/) {}
+  void found(const JoinedPath<W>&, int /*technique*/, double /*w f/p*/) {}
   // Its light in all.
   void end_sample(double) {}
 };
@@ -107,12 +107,12 @@ class SeedSlice {
     Path<W> path(max_vertices);
     bool found = false;
     samples_.start(seed.sample);
-    sampler_.sample(samples_, [&](const Path<W>& x, int s, double weight) {
-      if (found || x.size() != seed.vertices || s != seed.technique || weight != seed.weight)
-        return;
-      path = x;
-      found = true;
-    });
+    sampler_.sample_only(seed.technique, seed.vertices - seed.technique, samples_,
+                         [&](const Path<W>& x, int, double weight) {
+                           if (weight != seed.weight) return;
+                           path = x;
+                           found = true;
+                         });
     if (!found) throw SeedReplayError("a seed path could not be replayed from its random numbers");
     for (int i = 0; i < path.size(); ++i) space_->evaluate(path, i);
     return path;
@@ -127,7 +127,7 @@ class SeedSlice {
       numbers.set(k, u);
       return u;
     });
-    sampler_.sample(source, [](const Path<W>&, int, double) {});
+    sampler_.draw(source);
     return numbers;
   }
 
@@ -138,7 +138,7 @@ class SeedSlice {
     samples_.start(index);
     seeds_.start(index);
     double total = 0;
-    sampler_.sample(samples_, [&](const Path<W>& x, int s, double weight) {
+    sampler_.sample(samples_, [&](const JoinedPath<W>& x, int s, double weight) {
       total += weight;
       by_length_[static_cast<std::size_t>(x.size()) - 2] += weight;
       tally_.total += weight;
@@ -161,11 +161,11 @@ class SeedSlice {
   }
 
   // A path that may become a seed.
-  void keep(const Path<W>& x, const Seed& seed) {
+  void keep(const JoinedPath<W>& x, const Seed& seed) {
     seeds_.offer_path(seed);
     if (tally_.techniques.has(seed.vertices))
       tally_.techniques.row(seed.vertices)[static_cast<std::size_t>(seed.technique)] += seed.weight;
-    evidence_.film[raster_.cell(space_->bin(x))] += seed.weight;
+    evidence_.film[raster_.cell(space_->bin(x.ends()))] += seed.weight;
     evidence_.by_class[evidence_.classes.index(path_class_of(x))] += seed.weight;
   }
 

@@ -28,9 +28,9 @@ class SampleWorker {
     for (int i = 0; i < items_per_turn; ++i) {
       random_.start(next_++);
       found_.clear();
-      sampler_.sample(random_, [&](const Path<W>& path, int s, double weighted) {
-        found_.push_back({path.size(), s, transport_.bin(path), weighted});
-        if constexpr (W::channels > 1) found_.back().tint = colour(path).colour;
+      sampler_.sample(random_, [&](const JoinedPath<W>& path, int s, double weighted) {
+        found_.push_back({path.size(), s, transport_.bin(path.ends()), weighted});
+        if constexpr (W::channels > 1) found_.back().tint = path.colour().colour;
       });
       part_.add(found_);
     }

@@ -4,6 +4,7 @@
 // False alarms: 1e-9 per film.
 #include <gtest/gtest.h>
 
+#include "core/path_sides.h"
 #include "tests/core/film_sampling.h"
 #include "tests/support/core_scenes.h"
 #include "tests/support/expect.h"
@@ -176,7 +177,7 @@ TYPED_TEST(Extremes, PathsOfHundredsOfVerticesHaveDensitiesAndWeights) {
   double sum = 0;
   for (const double w : x.weights()) sum += w;
   EXPECT_NEAR(sum, 1, 400 * TestFixture::rounding);
-  const double weight = mis_weight(space, x, 1, all_techniques, Heuristic::balance);
+  const double weight = sides_of(space, x, 1, {all_techniques, Heuristic::balance}).mis_weight();
   EXPECT_NEAR(weight, x.weights()[1], 400 * TestFixture::rounding);
 }
 

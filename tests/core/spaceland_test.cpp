@@ -2,6 +2,7 @@
 // glass, and agreement of the estimators.  False-alarm rate 1e-9 per film.
 #include <gtest/gtest.h>
 
+#include "core/path_sides.h"
 #include "tests/core/film_sampling.h"
 #include "tests/support/expect.h"
 
@@ -218,7 +219,7 @@ TEST(Space, WeighsTechniquesSoThatTheySumToOne) {
       double sum = 0;
       for (int s = 0; s <= x.size(); ++s)
         if (can_sample(space, x, s, all_techniques))
-          sum += mis_weight(space, x, s, all_techniques, Heuristic::power);
+          sum += sides_of(space, x, s, {all_techniques, Heuristic::power}).mis_weight();
       ASSERT_NEAR(sum, 1, 1e-12);
     });
   }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/path_sides.h"
 #include "tests/core/film_sampling.h"
 #include "tests/support/core_scenes.h"
 
@@ -84,7 +85,7 @@ TEST_P(Techniques, HaveWeightsThatSumToOne) {
         double sum = 0;
         for (int s = 0; s <= x.size(); ++s) {
           if (!can_sample(space, x, s, set)) continue;
-          const double w = mis_weight(space, x, s, set, heuristic);
+          const double w = sides_of(space, x, s, {set, heuristic}).mis_weight();
           ASSERT_NEAR(w, static_cast<double>(brute[static_cast<std::size_t>(s)]), 1e-12);
           sum += w;
         }
@@ -104,7 +105,8 @@ TEST_P(Techniques, AreMeasuredAsTheyAreWeighted) {
         ASSERT_EQ(w, 0);
         continue;
       }
-      ASSERT_NEAR(w, mis_weight(space, x, s, all_techniques, Heuristic::balance), 1e-12);
+      ASSERT_NEAR(w, sides_of(space, x, s, {all_techniques, Heuristic::balance}).mis_weight(),
+                  1e-12);
       sum += technique_density(x, s);
     }
     ASSERT_NEAR((y.intensity / sum).value(), 1, 1e-12);
@@ -130,9 +132,10 @@ TEST_P(Techniques, KnowTheIntensityUnderRoulette) {
 }
 
 TEST_P(Techniques, DeliverTheQuotientOfContributionAndDensity) {
-  for_each_path(2000, [&](const Space&, const Path<Flatland>& x, int s) {
+  for_each_path(2000, [&](const Space& space, const Path<Flatland>& x, int s) {
+    const auto sides = sides_of(space, x, s, {all_techniques, Heuristic::balance});
     const double exact = (contribution(x) / technique_density(x, s)).value();
-    ASSERT_NEAR(unweighted_contribution(x, s) / exact, 1, 1e-12);
+    ASSERT_NEAR(unweighted_contribution(x, s, sides) / exact, 1, 1e-12);
   });
 }
 
@@ -204,7 +207,8 @@ TEST_P(Techniques, DeliverNothingThatIsNotFinite) {
     Path<Flatland> y = x;
     for (const double density : {0.0, 5e-324, -1.0}) {
       y[0].from_light = y[0].from_sensor = density;
-      const double w = weighted_contribution(space, y, s, all_techniques, Heuristic::balance);
+      const double w =
+          weighted_contribution(y, s, sides_of(space, y, s, {all_techniques, Heuristic::balance}));
       ASSERT_TRUE(std::isfinite(w) && w >= 0) << density;
     }
   });
