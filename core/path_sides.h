@@ -1,11 +1,11 @@
-// f/p and the weight of a path, from the two sides of the edge at which technique (s,t) connects it.
+// f / p_{s,t} and the weight w_s of a path, from the two sides of the edge at which technique (s,t) connects it
+// [Veach 1997, 10.2 and 9.2.2].  Densities and f are of the area product (path.h).
 //
 // Each side is made vertex by vertex, from its end of the path towards the edge, so subpaths that are
 // connected again and again keep what is far behind their ends: a connection then costs the same however
 // long the path is, and has the bits of the path measured as a whole.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -13,36 +13,45 @@
 
 namespace wander {
 
-// Some vertices at an end of a path.
-template <class W>
-struct PathSide {
-  double product = 1;  // Π value / p, with the edges between them
-  double ratios =
-      0;  // Σ_j (p_j / p_s)^β over the techniques j that connect before this side's edge
-  [[no_unique_address]] typename W::Tint tint{};
-};
-
 // What techniques are weighed against each other, and how.
 struct Weighing {
   TechniqueSet set;
   Heuristic heuristic;
 };
 
+// Some vertices at an end of a path.
+template <class W>
+struct PathSide {
+  double product = 1;  // Π value / p, with the edges between them
+  double ratios = 0;   // Σ_j (p_j / p_i)^β: the edges of j are among them, that of i behind
+  [[no_unique_address]] typename W::Tint tint{};
+
+  // The next vertex, whose edge to the last one has this geometry.  Of the techniques i, with the edge
+  // before it, and k, with the edge behind it, k samples it from here and i from there, so
+  // p_i / p_k = from_there / from_here.  Horner's rule sums ratios outwards,
+  //   Σ_j (p_j / p_k)^β = (p_i / p_k)^β (1 + Σ_j (p_j / p_i)^β),
+  // the 1 if technique i can sample the path, else 0: nothing overflows before the weight itself vanishes.
+  void add(const Vertex<W>& v, double geometry, double from_here, double from_there,
+           double possible, Heuristic heuristic) {
+    product *= geometry * double(v.value) / from_here;
+    ratios = raised(from_there / from_here, heuristic) * (possible + ratios);
+    tint *= v.tint;
+  }
+};
+
 // Of x_0 … x_{i-1}, and x_i.
 template <class Space, class W>
 void add_light_vertex(PathSide<W>& side, const Space& space, const Path<W>& x, int i,
                       const Weighing& by) {
-  side.product *= light_factor(x, i);
-  side.ratios = ratios_past_light_vertex(space, x, i, by.set, by.heuristic, side.ratios);
-  side.tint *= x[i].tint;
+  side.add(x[i], i > 0 ? x[i - 1].geometry : 1, double(x[i].from_light), double(x[i].from_sensor),
+           can_sample(space, x, i, by.set) ? 1 : 0, by.heuristic);
 }
 // Of x_{n-1} … x_{i+1}, and x_i.
 template <class Space, class W>
 void add_sensor_vertex(PathSide<W>& side, const Space& space, const Path<W>& x, int i,
                        const Weighing& by) {
-  side.product *= sensor_factor(x, i);
-  side.ratios = ratios_past_sensor_vertex(space, x, i, by.set, by.heuristic, side.ratios);
-  side.tint *= x[i].tint;
+  side.add(x[i], i + 1 < x.size() ? x[i].geometry : 1, double(x[i].from_sensor),
+           double(x[i].from_light), can_sample(space, x, i + 1, by.set) ? 1 : 0, by.heuristic);
 }
 
 // Both, of the path that technique (s,t) connects between them.
@@ -98,7 +107,7 @@ class KnownPathSides {
       PathSide<W>& next = at(known_ + 1) = at(known_);
       add(next, known_);
     }
-    return at(std::max(count, 0));
+    return at(count);
   }
 
  private:

@@ -5,7 +5,6 @@
 // and all weights of a path take linear time [Veach 1997, 10.2].
 #pragma once
 
-#include <cmath>
 #include <limits>
 #include <span>
 
@@ -52,43 +51,12 @@ inline double raised(double ratio, Heuristic heuristic) {
   return heuristic == Heuristic::balance ? ratio : ratio * ratio;
 }
 
-// Ratios are summed by Horner's rule outwards from the edge, so nothing overflows before the weight itself
-// vanishes: where `beyond` is Σ_j (p_j / p_i)^β over j < i, of the vertices before x_i,
-//   Σ_j (p_j / p_{i+1})^β = (from_sensor_i / from_light_i)^β (1 + beyond),
-// the 1 only if technique i can sample the path.
-template <class Space, class W>
-double ratios_past_light_vertex(const Space& space, const Path<W>& x, int i,
-                                const TechniqueSet& set, Heuristic heuristic, double beyond) {
-  const double possible = can_sample(space, x, i, set) ? 1 : 0;
-  return raised(double(x[i].from_sensor) / double(x[i].from_light), heuristic) *
-         (possible + beyond);
-}
-// The same of the vertices behind x_i, towards the sensor: Σ_j (p_j / p_i)^β over j > i.
-template <class Space, class W>
-double ratios_past_sensor_vertex(const Space& space, const Path<W>& x, int i,
-                                 const TechniqueSet& set, Heuristic heuristic, double beyond) {
-  const double possible = can_sample(space, x, i + 1, set) ? 1 : 0;
-  return raised(double(x[i].from_light) / double(x[i].from_sensor), heuristic) *
-         (possible + beyond);
-}
-
 // p_{s,t}(x), with respect to the area product.
 template <class W>
 Scaled technique_density(const Path<W>& x, int s) {
   Scaled p = 1;
   for (int i = 0; i < x.size(); ++i) p *= double(i < s ? x[i].from_light : x[i].from_sensor);
   return p;
-}
-
-// What x_i, sampled from the light or from the sensor, with the edge before it on that side, brings to f/p:
-// paired so that it is of the order of one.
-template <class W>
-double light_factor(const Path<W>& x, int i) {
-  return (i > 0 ? x[i - 1].geometry : 1) * double(x[i].value) / double(x[i].from_light);
-}
-template <class W>
-double sensor_factor(const Path<W>& x, int i) {
-  return (i + 1 < x.size() ? x[i].geometry : 1) * double(x[i].value) / double(x[i].from_sensor);
 }
 
 // Σ_s w_s q_s, where under Russian roulette the walks of technique s, which go on at all vertices but

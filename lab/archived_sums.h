@@ -1,5 +1,5 @@
-// Many sums to and from an archive as one block: the bytes of the same sums one by one, in a tenth of the
-// time, where films of all groups and all lengths of path are most of what is written.
+// Many sums to and from an archive as one block: the bytes of the same sums one by one.  Films of all groups
+// and all lengths of path are most of what a checkpoint writes.
 // Whatever archives them includes this header.
 #pragma once
 
