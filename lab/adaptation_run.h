@@ -60,7 +60,7 @@ Pilot samples_of(const Groups& groups) {
   Pilot found;
   for (const auto& group : groups) {
     found.samples += static_cast<double>(group->tally().samples);
-    found.rays += static_cast<double>(group->rays());
+    found.rays += static_cast<double>(group->tally().rays);
     for (const RatioHistogram& stratum : group->findings().evidence->ratios)
       found.found.add(stratum, 1);
   }
@@ -117,9 +117,12 @@ class AdaptationRun {
     constexpr std::uint64_t per_round = 1 << 11, most = 1 << 13;
     const auto groups = make_(1);
     Pilot found;
-    for (std::uint64_t made = 0; made < most && !is_telling(found); made += per_round) {
+    const std::uint64_t of_each = std::min(per_round / groups->count(), groups->seed_stride());
+    for (std::uint64_t made = 0; made < most && found.rays < ChainSettings::most_rays &&
+                                 !is_telling(found);
+         made += of_each * groups->count()) {
       if (budget_.is_over()) return false;
-      groups->add_seeds(per_round / groups->count());
+      groups->add_seeds(of_each);
       found = samples_of(*groups);
     }
     if (!is_telling(found)) return false;

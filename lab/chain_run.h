@@ -93,7 +93,7 @@ class ChainRun final : public LiveRun {
   double seed_share() const override { return seed_share_; }
   SeedPass seeds() const override {
     const SeedTally tally = groups_->tally();
-    SeedPass pass{groups_->count(), tally.samples, tally.total.value() > 0};
+    SeedPass pass{groups_->count(), tally.samples, tally.rays, tally.total.value() > 0};
     if (!pass.found_light) return pass;
     const Normalization b = normalization(tally);
     pass.relative_error = b.standard_error / b.value;
@@ -103,14 +103,7 @@ class ChainRun final : public LiveRun {
     prepare();
     if (is_prepared()) groups_->add_seeds(of_each);
   }
-  // An interrupt is heard between two, and a sample may cost the square of its vertices.  No clock has a
-  // part in it, for films that are summed in parts show in their last bit where these end.
-  std::uint64_t seed_stride() const override {
-    constexpr std::uint64_t usual = 256, short_paths = 32;
-    const std::uint64_t n =
-        std::max(static_cast<std::uint64_t>(space_.max_vertices()), short_paths);
-    return std::max<std::uint64_t>(usual * short_paths * short_paths / (n * n), 1);
-  }
+  std::uint64_t seed_stride() const override { return groups_->seed_stride(); }
   void start(int chains) override {
     const SeedTally tally = groups_->tally();
     if (!(tally.total.value() > 0)) throw NoLightFound(tally.samples);
@@ -120,7 +113,12 @@ class ChainRun final : public LiveRun {
 
   void advance(std::uint64_t samples) override { groups_->advance_to(groups_->steps() + samples); }
   std::uint64_t samples() const override { return groups_->steps(); }
-  std::uint64_t stride() const override { return steps_per_round * groups_->active(); }
+  // An interrupt is heard between two, and a step costs its vertices.
+  std::uint64_t stride() const override {
+    constexpr std::uint64_t usual = 1024, short_paths = 32;  // steps of each group
+    const auto n = static_cast<std::uint64_t>(space_.max_vertices());
+    return usual * short_paths / std::max(n, short_paths) * groups_->active();
+  }
   std::uint64_t first_look() const override { return 1 << 17; }
 
   // Of the chains alone with the constants of the seed pass; or pooled, as it comes out.
@@ -172,7 +170,6 @@ class ChainRun final : public LiveRun {
  private:
   using Groups = ChainGroups<Space, Chains>;
   using Trial = ChainGroups<Space, TrialGroup<typename Chains::Source>>;
-  static constexpr std::uint64_t steps_per_round = 1024;  // of each group
 
   ChainRun(const char* method, const Space& space, const Run& run, const ChainSettings& settings)
       : method_(method),

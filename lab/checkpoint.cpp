@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
@@ -25,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/4";
+constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/5";
 
 class Refusal {
  public:
@@ -40,9 +41,20 @@ class Refusal {
   std::string_view remedy_;
 };
 
-// Into so many bytes; none if they are not what is packed there.
-std::optional<std::string> unpacked(std::string_view bytes, std::size_t size) {
+// How large a state is stands behind it, packed as it is: it is known when it has been written.
+std::string bytes_of_size(std::uint64_t size) {
+  std::string bytes(sizeof size, '\0');
+  std::memcpy(bytes.data(), &size, sizeof size);
+  return bytes;
+}
+
+// None if it is not what is packed there.
+std::optional<std::string> unpacked(std::string_view bytes) {
   constexpr std::size_t best_compression = 2048;  // more than deflate reaches
+  std::uint64_t size = 0;
+  if (bytes.size() < sizeof size) return std::nullopt;
+  std::memcpy(&size, bytes.data() + bytes.size() - sizeof size, sizeof size);
+  bytes.remove_suffix(sizeof size);
   if (size / best_compression > bytes.size()) return std::nullopt;
   std::string state(size, '\0');
   auto found = static_cast<uLongf>(size);
@@ -52,7 +64,7 @@ std::optional<std::string> unpacked(std::string_view bytes, std::size_t size) {
   return result == Z_OK && found == size ? std::optional(std::move(state)) : std::nullopt;
 }
 
-ordered_json header_of(const Checkpoint& c, std::uint64_t state_bytes) {
+ordered_json header_of(const Checkpoint& c) {
   const Headway& h = c.run.headway;
   return {
       {"version", program_version()},
@@ -62,7 +74,6 @@ ordered_json header_of(const Checkpoint& c, std::uint64_t state_bytes) {
       {"dials", c.dials},
       {"seed", c.seed},
       {"precision", name_of(c.turned().precision)},
-      {"state_bytes", state_bytes},
       {"samples", h.samples},
       {"seconds", h.wall_seconds},
       {"processor_seconds", h.processor_seconds},
@@ -118,18 +129,23 @@ fs::path checkpoint_in(const fs::path& directory) { return directory / "checkpoi
 
 void write_checkpoint(const Checkpoint& checkpoint, const StateWriter& state,
                       const fs::path& directory) {
-  std::uint64_t size = 0;
-  write_through([&size](std::string_view piece) { size += piece.size(); }, state);
   // What is no UTF-8, such as the name of a file, must not end a run.
   const std::string header =
-      header_of(checkpoint, size).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+      header_of(checkpoint).dump(-1, ' ', false, ordered_json::error_handler_t::replace);
   write_file(checkpoint_in(directory), [&](const ByteSink& file) {
     write_sealed(
         [&](const ByteSink& bytes) {
           bytes(fmt::format("{}\n{}\n", format, header));
           Packing packing(bytes);
-          write_through([&packing](std::string_view piece) { packing.add(piece); }, state);
+          std::uint64_t size = 0;
+          write_through(
+              [&](std::string_view piece) {
+                packing.add(piece);
+                size += piece.size();
+              },
+              state);
           packing.end();
+          bytes(bytes_of_size(size));
         },
         file);
   });
@@ -156,7 +172,7 @@ Checkpoint read_checkpoint(const fs::path& directory, std::string_view remedy) {
                          program_version()));
     Checkpoint checkpoint = from_header(header);
     checkpoint.turned();
-    auto state = unpacked(bytes, header.at("state_bytes"));
+    auto state = unpacked(bytes);
     if (!state) refuse("its state cannot be read");
     checkpoint.run.state = *std::move(state);
     return checkpoint;

@@ -74,10 +74,14 @@ class Drive {
       seeds_for(std::get<SampleBudget>(budget_).samples);
     return !execution_.is_interrupted();
   }
-  // Of each slice, which all have the same number.  `fraction` of the budget is done after so many.
+  // Of each slice, which all have the same number; those beyond what is asked for only while they cost
+  // little.  `fraction` of the budget is done after so many.
   template <class Fraction>
-  void seeds_to(std::uint64_t goal, Fraction&& fraction) {
-    for (SeedPass now = run_.seeds(); now.of_each() < goal && !execution_.is_interrupted();) {
+  void seeds_to(std::uint64_t goal, std::uint64_t asked_for, Fraction&& fraction) {
+    const auto is_enough = [&](const SeedPass& now) {
+      return now.of_each() >= goal || (now.of_each() >= asked_for && now.is_costly());
+    };
+    for (SeedPass now = run_.seeds(); !is_enough(now) && !execution_.is_interrupted();) {
       run_.seed(std::min(run_.seed_stride(), goal - now.of_each()));
       now = run_.seeds();
       report(fraction(now.of_each()), now.samples, "seed pass");
@@ -85,19 +89,22 @@ class Drive {
     }
   }
   void seeds_for(std::uint64_t steps) {
-    const double share = run_.seed_share() * static_cast<double>(steps);
-    const std::uint64_t goal =
-        std::max(run_.settings().fewest_seeds, static_cast<std::uint64_t>(share)) /
-        run_.seeds().slices;
-    seeds_to(goal, [goal](std::uint64_t done) {
+    const auto share =
+        static_cast<std::uint64_t>(run_.seed_share() * static_cast<double>(steps));
+    const std::uint64_t slices = run_.seeds().slices;
+    const std::uint64_t goal = std::max(run_.settings().fewest_seeds, share) / slices;
+    seeds_to(goal, share / slices, [goal](std::uint64_t done) {
       return static_cast<double>(done) / static_cast<double>(goal);
     });
   }
   void seeds_to_error(double target) {
-    if (headway_.seed_goal == 0)
-      headway_.seed_goal = run_.settings().fewest_seeds / run_.seeds().slices;
+    const std::uint64_t fewest = run_.settings().fewest_seeds / run_.seeds().slices;
+    const auto unknown = [](std::uint64_t) { return 0.0; };
     while (true) {
-      seeds_to(headway_.seed_goal, [](std::uint64_t) { return 0.0; });
+      if (headway_.seed_goal == 0)
+        seeds_to(fewest, 0, unknown);
+      else
+        seeds_to(headway_.seed_goal, headway_.seed_goal, unknown);
       const SeedPass now = run_.seeds();
       if (execution_.is_interrupted()) return;
       if (!now.found_light && now.samples >= samples_in_the_dark) return;

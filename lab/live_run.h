@@ -21,10 +21,16 @@ namespace wander {
 struct SeedPass {
   std::uint64_t slices = 1;   // each has as many samples as the others
   std::uint64_t samples = 0;  // of all slices
+  std::uint64_t rays = 0;     // that they took
   bool found_light = false;
   double relative_error = 0;  // of the constant; of use if light was found
 
   std::uint64_t of_each() const { return samples / slices; }
+  // No more than a share of the budget asks for should be made.
+  bool is_costly() const {
+    constexpr std::uint64_t fewest_of_slice = 8;
+    return rays >= ChainSettings::most_rays && of_each() >= fewest_of_slice;
+  }
 };
 
 class LiveRun {

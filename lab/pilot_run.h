@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "mlt/run/chain_settings.h"
 #include "mlt/run/pilot.h"
 #include "work/parallel.h"
 
@@ -88,9 +89,11 @@ class PilotRun {
 
   Pilot make_samples() {
     Pilot pilot;
-    for (std::uint64_t made = 0; made < most && !budget_.is_over(share_of_samples);) {
-      trial_.add_seeds(samples_per_round / trial_.count());
-      made += samples_per_round;
+    const std::uint64_t of_each = std::min(samples_per_round / trial_.count(), trial_.seed_stride());
+    for (std::uint64_t made = 0; made < most && pilot.rays < ChainSettings::most_rays &&
+                                 !budget_.is_over(share_of_samples);) {
+      trial_.add_seeds(of_each);
+      made += of_each * trial_.count();
       pilot = found_by(BinWorth(resolution_, findings_of(trial_)));
       if (made >= enough && tells_enough(pilot)) break;
     }

@@ -41,8 +41,12 @@ class MultiplexedChain {
   }
 
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(chain_);
+  void save(Archive& archive) const {
+    chain_.save(archive);
+  }
+  template <class Archive>
+  void load(Archive& archive) {
+    chain_.load(sampler_, archive);
   }
 
   // The observer gets a PrimaryStep of MultiplexedPath.

@@ -26,11 +26,6 @@ struct MultiplexedPath {
   void for_each_share(F&& f) const {
     if (total > 0) f(path.size(), bin, 1.0, colour(path));
   }
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(path, technique, bin, total, flaw);
-  }
 };
 
 template <class Space>

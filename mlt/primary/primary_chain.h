@@ -18,6 +18,7 @@
 #pragma once
 
 #include <array>
+#include <stdexcept>
 #include <string_view>
 #include <utility>
 
@@ -80,10 +81,18 @@ class PrimaryChain {
   // While a step is observed.
   const PrimaryNumbers& proposed_numbers() const { return proposed_.numbers; }
 
-  // The state: what the last proposal left is of no use any more.
+  // The state is its numbers, for they make the same sample again: what the last proposal left is of no
+  // use any more.
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(current_);
+  void save(Archive& archive) const {
+    archive(numbers());
+  }
+  template <class Archive>
+  void load(Sampler& sampler, Archive& archive) {
+    PrimaryNumbers numbers(sampler.coordinates());
+    archive(numbers);
+    if (!numbers.is_empty() && !start(sampler, numbers))
+      throw std::runtime_error("the numbers of a chain do not make its sample again");
   }
 
   // Starts at the sample of these numbers.  False: they are not all that the sampler asks for.
@@ -116,11 +125,6 @@ class PrimaryChain {
     Sample sample;
     explicit State(const Sampler& sampler)
         : numbers(sampler.coordinates()), sample(sampler.make_sample()) {}
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(numbers, sample);
-    }
   };
 
   static double acceptance_of(double from, double to) {

@@ -6,6 +6,8 @@
 // vertex take more numbers, or fewer, leaves the numbers of all others where they were.
 #pragma once
 
+#include <algorithm>
+#include <cereal/types/vector.hpp>
 #include <cstdint>
 #include <vector>
 
@@ -23,21 +25,35 @@ class PrimaryNumbers {
   double operator[](std::size_t k) const { return slots_[k].value; }
   void set(std::size_t k, double u) { slots_[k] = {u, round_}; }
   std::size_t size() const { return slots_.size(); }
+  bool is_empty() const {
+    return std::ranges::none_of(slots_, [this](const Slot& slot) { return slot.round == round_; });
+  }
 
+  // What it holds, into numbers of the same size.
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(slots_, round_);
+  void save(Archive& archive) const {
+    std::vector<std::uint32_t> places;
+    std::vector<double> values;
+    for (std::size_t k = 0; k < size(); ++k) {
+      if (!holds(k)) continue;
+      places.push_back(static_cast<std::uint32_t>(k));
+      values.push_back((*this)[k]);
+    }
+    archive(places, values);
+  }
+  template <class Archive>
+  void load(Archive& archive) {
+    std::vector<std::uint32_t> places;
+    std::vector<double> values;
+    archive(places, values);
+    clear();
+    for (std::size_t i = 0; i < places.size(); ++i) set(places[i], values[i]);
   }
 
  private:
   struct Slot {
     double value = 0;
     std::uint64_t round = 0;  // in which it was set
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(value, round);
-    }
   };
   std::vector<Slot> slots_;
   std::uint64_t round_ = 1;

@@ -17,11 +17,6 @@ struct Splat {
   Features features{};
   double weight = 0;  // w f / p
   [[no_unique_address]] typename W::Tint colour{};
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(features, weight, colour);
-  }
 };
 
 // Memory is reserved once, for a splat of every technique, and where paths may be long for so many that
@@ -48,11 +43,6 @@ struct SampleSplats {
   Features brightest() const {
     const auto found = std::ranges::max_element(splats, {}, &Splat<W>::weight);
     return found == splats.end() ? Features{} : found->features;
-  }
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(splats, total, flaw);
   }
 };
 

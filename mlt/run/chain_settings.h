@@ -25,6 +25,9 @@ struct ChainSettings {
   std::optional<double> seed_share{};
   static constexpr double usual_seed_share = 0.25;
   std::uint64_t fewest_seeds = 1 << 15;  // samples, of all groups together
+  // Of samples that no share asks for: where they are paths of hundreds of vertices without roulette, whose
+  // square is what a sample costs, fewer must do.
+  static constexpr std::uint64_t most_rays = 1 << 23;
   NormalizationMethod normalization = NormalizationMethod::bridge;
   FilmLayout film{};
 

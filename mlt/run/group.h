@@ -24,8 +24,7 @@ concept Group = ChainSource<G> &&
     requires(G& group, const G& made, std::uint64_t count, GroupsFilm& film,
              MutationStatistics& statistics, ChainDraws& draws, SharedFilm& pixels,
              TotalFilm& total, LargeSampleFilm& samples) {
-  { made.rays() } -> std::same_as<std::uint64_t>;  // of its samples
-  group.divide(Pooling{});                         // before the first sample, if the film is pooled
+  group.divide(Pooling{});  // before the first sample, if the film is pooled
   group.share(pixels, 1.0);
   group.share(pixels, total, 1.0);  // of a pooled film
   group.move_samples_to(samples);
@@ -55,7 +54,6 @@ class ChainGroup {
                     space.max_vertices()) {}
 
   static constexpr std::span<const std::string_view> move_names() { return Chains::move_names(); }
-  std::uint64_t rays() const { return source_.rays(); }
   void divide(const Pooling& pooling) {
     const Space& space = source_.space();
     parts_.emplace_back(pooling, space.scene().film_shape(), space.max_vertices(), layout_);

@@ -30,8 +30,12 @@ class SampleChain {
   const typename Sampler::Sample& current() const { return chain_.current(); }
 
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(chain_);
+  void save(Archive& archive) const {
+    chain_.save(archive);
+  }
+  template <class Archive>
+  void load(Archive& archive) {
+    chain_.load(*sampler_, archive);
   }
 
   // The observer gets a PrimaryStep of SampleSplats.

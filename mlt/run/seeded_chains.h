@@ -99,7 +99,6 @@ class SeededChains {
   void add_seeds(std::uint64_t count, Watcher&& watcher = {}) {
     slice_.run(count, watcher);
   }
-  std::uint64_t rays() const { return slice_.rays(); }
   void end_seeds() { slice_.end_seeds(); }
   const SeedTally& tally() const { return slice_.tally(); }
   const SeedTally& seed_tally() const { return slice_.seed_tally(); }

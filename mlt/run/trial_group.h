@@ -48,7 +48,7 @@ class TrialGroup {
   }
 
   TrialFindings findings() const {
-    TrialFindings found{&log_, static_cast<double>(source_.rays())};
+    TrialFindings found{&log_, static_cast<double>(tally().rays)};
     found.light_of_states.resize(source_.evidence().ratios.size());
     for (const TrialLog::State& state : log_.states) ++found.light_of_states[state.stratum];
     for (std::size_t k = 0; k < found.light_of_states.size(); ++k)

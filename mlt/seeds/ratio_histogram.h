@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cereal/types/vector.hpp>
 #include <cstdint>
 #include <vector>
 
@@ -18,11 +19,6 @@ class RatioHistogram {
 
   struct Bin {
     double count = 0, sum = 0;  // of l
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(count, sum);
-    }
   };
 
   // A positive number; the histogram grows to hold it.
@@ -91,9 +87,27 @@ class RatioHistogram {
     return sum;
   }
 
+  // Of a run with long paths there are tens of thousands, with few bins that hold anything.
   template <class Archive>
-  void serialize(Archive& archive) {
-    archive(first_, bins_);
+  void save(Archive& archive) const {
+    std::vector<std::uint32_t> places;
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < bins_.size(); ++i) {
+      if (bins_[i].count == 0) continue;
+      places.push_back(static_cast<std::uint32_t>(i));
+      numbers.insert(numbers.end(), {bins_[i].count, bins_[i].sum});
+    }
+    archive(first_, bins_.size(), places, numbers);
+  }
+  template <class Archive>
+  void load(Archive& archive) {
+    std::size_t size = 0;
+    std::vector<std::uint32_t> places;
+    std::vector<double> numbers;
+    archive(first_, size, places, numbers);
+    bins_.assign(size, Bin{});
+    for (std::size_t i = 0; i < places.size(); ++i)
+      bins_[places[i]] = {numbers[2 * i], numbers[2 * i + 1]};
   }
 
  private:

@@ -91,8 +91,6 @@ class SeedSlice {
   const SeedTally& seed_tally() const { return takes_seeds_ ? tally_ : of_seeds_; }
   const SeedEvidence& evidence() const { return evidence_; }
   bool found_light() const { return seed_tally().total.value() > 0; }
-  // Of all samples, walks and connections that were tried: what they cost.
-  std::uint64_t rays() const { return sampler_.rays(); }
   const Seed& seed(int chain) const { return seeds_[chain]; }
 
   // Between two samples.
@@ -138,6 +136,7 @@ class SeedSlice {
     samples_.start(index);
     seeds_.start(index);
     double total = 0;
+    const std::uint64_t rays = sampler_.rays();
     sampler_.sample(samples_, [&](const JoinedPath<W>& x, int s, double weight) {
       total += weight;
       by_length_[static_cast<std::size_t>(x.size()) - 2] += weight;
@@ -147,6 +146,7 @@ class SeedSlice {
       if (takes_seeds_) keep(x, {index, x.size(), s, weight});
       watcher.found(x, s, weight);
     });
+    tally_.rays += sampler_.rays() - rays;
     watcher.end_sample(total);
     if (total == 0) return;
     if constexpr (Seeds::ratios == Ratios::of_samples) evidence_.ratios[0].add(total);

@@ -13,6 +13,7 @@ namespace wander {
 // Σ and Σ² over samples, of all paths and of each length.
 struct SeedTally {
   std::uint64_t samples = 0;
+  std::uint64_t rays = 0;  // of walks and connections that were tried: what the samples cost
   std::vector<Sum> sum, squares;  // by vertices - 2
   Sum total, total_squares;
   TechniqueTable techniques;  // Σ w f/p of each
@@ -23,6 +24,7 @@ struct SeedTally {
         techniques(max_vertices) {}
   void merge(const SeedTally& other) {
     samples += other.samples;
+    rays += other.rays;
     for (std::size_t k = 0; k < sum.size(); ++k) {
       sum[k] += other.sum[k];
       squares[k] += other.squares[k];
@@ -46,7 +48,7 @@ struct SeedTally {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(samples, sum, squares, total, total_squares, techniques);
+    archive(samples, rays, sum, squares, total, total_squares, techniques);
   }
 };
 

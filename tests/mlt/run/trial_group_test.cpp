@@ -36,7 +36,7 @@ class TrialGroups : public ::testing::Test {
     run(trial);
     compare(group.findings(), trial.findings());
     EXPECT_EQ(trial.steps(), 107);
-    EXPECT_EQ(trial.findings().rays, static_cast<double>(group.rays()));
+    EXPECT_EQ(trial.findings().rays, static_cast<double>(group.tally().rays));
   }
 
  private:

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cereal/archives/binary.hpp>
 #include <cmath>
+#include <sstream>
 
 #include "core/rng.h"
 
@@ -96,6 +98,26 @@ TEST(RatioHistogram, WithRoomDoesNotGrowAndKeepsWhatIsBeyondAtItsEdge) {
   EXPECT_EQ(histogram.count(), 5);
   EXPECT_EQ(histogram[first].sum, 1e-9);
   EXPECT_EQ(histogram[end - 1].count, 1);
+}
+
+TEST(RatioHistogram, ComesOutOfAnArchiveAsItWentIn) {
+  RatioHistogram room;
+  room.make_room(histogram_of({1e-3, 2.0, 2.01, 1e5}), 1);  // holds nothing, and has its room
+  room.add_within(3.0);
+  for (const RatioHistogram& one : {histogram_of(ratios(2)), room, RatioHistogram{}}) {
+    std::stringstream bytes;
+    cereal::BinaryOutputArchive out(bytes);
+    out(one);
+    RatioHistogram other = histogram_of({7.0});
+    cereal::BinaryInputArchive in(bytes);
+    in(other);
+    ASSERT_EQ(other.first(), one.first());
+    ASSERT_EQ(other.end(), one.end());
+    for (int i = one.first(); i < one.end(); ++i) {
+      EXPECT_EQ(other[i].count, one[i].count) << i;
+      EXPECT_EQ(other[i].sum, one[i].sum) << i;
+    }
+  }
 }
 
 }  // namespace

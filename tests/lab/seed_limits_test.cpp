@@ -1,0 +1,95 @@
+// How many samples a seed pass makes where they are dear: as many as a share asks for, and of those that
+// nobody asked for no more than cost a bounded number of rays.  A run that counts, and does nothing else.
+#include <gtest/gtest.h>
+
+#include "lab/drive.h"
+#include "mlt/run/chain_settings.h"
+#include "work/stopping_rule.h"
+
+namespace wander::test::seed_limits {
+namespace {
+
+constexpr std::uint64_t slices = 64, samples_per_stride = 4;
+
+class CountingRun : public LiveRun {
+ public:
+  CountingRun(std::uint64_t rays_per_sample, double share)
+      : rays_per_sample_(rays_per_sample), share_(share) {}
+
+  bool takes_seeds() const override { return !is_started_; }
+  double seed_share() const override { return share_; }
+  SeedPass seeds() const override {
+    const double error = 10 / std::sqrt(static_cast<double>(seeds_ + 1));
+    return {slices, seeds_, seeds_ * rays_per_sample_, true, error};
+  }
+  void seed(std::uint64_t of_each) override { seeds_ += slices * of_each; }
+  std::uint64_t seed_stride() const override { return samples_per_stride; }
+  void start(int) override { is_started_ = true; }
+  void advance(std::uint64_t samples) override { samples_ += samples; }
+  std::uint64_t samples() const override { return samples_; }
+  std::uint64_t stride() const override { return 1 << 16; }
+  std::uint64_t first_look() const override { return 1 << 16; }
+  FilmEstimate preview() const override { return {}; }
+  Rendering findings() const override {
+    Rendering r;
+    r.samples = samples_;
+    r.film.value = {1};
+    r.film.standard_error = {0};
+    r.film.reliable = {true};
+    return r;
+  }
+  std::unique_ptr<Findings> no_findings() const override { return {}; }
+  void add_to(Findings&) const override {}
+  void save(cereal::BinaryOutputArchive&) const override {}
+  void load(cereal::BinaryInputArchive&) override {}
+
+ private:
+  std::uint64_t rays_per_sample_;
+  double share_;
+  bool is_started_ = false;
+  std::uint64_t seeds_ = 0, samples_ = 0;
+};
+
+std::uint64_t seeds_of(const Budget& budget, std::uint64_t rays_per_sample, double share = 0) {
+  CountingRun run(rays_per_sample, share);
+  Session session;
+  session.budget = budget;
+  session.threads = 1;
+  Run execution(session);
+  drive(run, execution);
+  return run.seeds().samples;
+}
+
+constexpr std::uint64_t most_rays = ChainSettings::most_rays, fewest = ChainSettings{}.fewest_seeds;
+
+TEST(SeedLimits, AreTheFewestWhereSamplesCostLittle) {
+  EXPECT_EQ(seeds_of(SampleBudget{1000}, most_rays / fewest), fewest);
+  EXPECT_EQ(seeds_of(SampleBudget{1000}, 30), fewest);
+}
+
+TEST(SeedLimits, AreWhatTheRaysSufficeFor) {
+  EXPECT_EQ(seeds_of(SampleBudget{1000}, 4096), most_rays / 4096);
+  EXPECT_EQ(seeds_of(SampleBudget{1000}, 1 << 20), 8 * slices) << "some of each slice";
+}
+
+// And end with a stride.
+TEST(SeedLimits, AreNoLessThanAShareAsksFor) {
+  for (const std::uint64_t steps : {20'000U, 100'000U}) {
+    const std::uint64_t seeds = seeds_of(SampleBudget{steps}, 1 << 20, 0.25);
+    EXPECT_GE(seeds, steps / 4 / slices * slices);
+    EXPECT_LT(seeds, steps / 4 + samples_per_stride * slices);
+  }
+}
+
+// An error that the first look does not meet takes what it takes.
+TEST(SeedLimits, OfAnErrorHoldForTheFirstLookAlone) {
+  EXPECT_EQ(seeds_of(ErrorBudget{0.5}, 4096), most_rays / 4096);
+  for (const std::uint64_t rays_per_sample : {4096U, 1U << 20}) {
+    const std::uint64_t seeds = seeds_of(ErrorBudget{0.1}, rays_per_sample);
+    EXPECT_GE(seeds, 40'000U - 1) << "where the error is half of what was asked for";
+    EXPECT_LT(seeds, 41'000U);
+  }
+}
+
+}  // namespace
+}  // namespace wander::test::seed_limits
