@@ -118,8 +118,8 @@ class AdaptationRun {
     const auto groups = make_(1);
     Pilot found;
     const std::uint64_t of_each = std::min(per_round / groups->count(), groups->seed_stride());
-    for (std::uint64_t made = 0; made < most && found.rays < ChainSettings::most_rays &&
-                                 !is_telling(found);
+    for (std::uint64_t made = 0;
+         made < most && found.rays < ChainSettings::most_rays && !is_telling(found);
          made += of_each * groups->count()) {
       if (budget_.is_over()) return false;
       groups->add_seeds(of_each);

@@ -74,8 +74,11 @@ class Drive {
       seeds_for(std::get<SampleBudget>(budget_).samples);
     return !execution_.is_interrupted();
   }
+  static double part(std::uint64_t of_each, std::uint64_t goal) {
+    return goal > 0 ? static_cast<double>(of_each) / static_cast<double>(goal) : 1;
+  }
   // Of each slice, which all have the same number; those beyond what is asked for only while they cost
-  // little.  `fraction` of the budget is done after so many.
+  // little.  `fraction` of the budget is done after some.
   template <class Fraction>
   void seeds_to(std::uint64_t goal, std::uint64_t asked_for, Fraction&& fraction) {
     const auto is_enough = [&](const SeedPass& now) {
@@ -84,22 +87,23 @@ class Drive {
     for (SeedPass now = run_.seeds(); !is_enough(now) && !execution_.is_interrupted();) {
       run_.seed(std::min(run_.seed_stride(), goal - now.of_each()));
       now = run_.seeds();
-      report(fraction(now.of_each()), now.samples, "seed pass");
+      report(fraction(now), now.samples, "seed pass");
       keep_if_due();
     }
   }
   void seeds_for(std::uint64_t steps) {
-    const auto share =
-        static_cast<std::uint64_t>(run_.seed_share() * static_cast<double>(steps));
+    const auto share = static_cast<std::uint64_t>(run_.seed_share() * static_cast<double>(steps));
     const std::uint64_t slices = run_.seeds().slices;
     const std::uint64_t goal = std::max(run_.settings().fewest_seeds, share) / slices;
-    seeds_to(goal, share / slices, [goal](std::uint64_t done) {
-      return static_cast<double>(done) / static_cast<double>(goal);
+    seeds_to(goal, share / slices, [&](const SeedPass& now) {
+      const double of_goal = part(now.of_each(), goal),
+                   of_share = part(now.of_each(), share / slices);
+      return std::max(of_goal, std::min(of_share, now.fraction_of_costs()));
     });
   }
   void seeds_to_error(double target) {
     const std::uint64_t fewest = run_.settings().fewest_seeds / run_.seeds().slices;
-    const auto unknown = [](std::uint64_t) { return 0.0; };
+    const auto unknown = [](const SeedPass&) { return 0.0; };
     while (true) {
       if (headway_.seed_goal == 0)
         seeds_to(fewest, 0, unknown);

@@ -2,6 +2,7 @@
 // file.  Budgets, the clock, interruption and checkpoints are no part of it (drive.h).
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -26,11 +27,13 @@ struct SeedPass {
   double relative_error = 0;  // of the constant; of use if light was found
 
   std::uint64_t of_each() const { return samples / slices; }
-  // No more than a share of the budget asks for should be made.
-  bool is_costly() const {
-    constexpr std::uint64_t fewest_of_slice = 8;
-    return rays >= ChainSettings::most_rays && of_each() >= fewest_of_slice;
+  // How much has been made of what is worth its cost where no share of the budget asks for more.
+  double fraction_of_costs() const {
+    constexpr double fewest_of_slice = 8;
+    return std::min(static_cast<double>(rays) / static_cast<double>(ChainSettings::most_rays),
+                    static_cast<double>(of_each()) / fewest_of_slice);
   }
+  bool is_costly() const { return fraction_of_costs() >= 1; }
 };
 
 class LiveRun {

@@ -97,13 +97,17 @@ void need_of_chains(MemoryNeed& need, const Size& size, const Job& job) {
   }
   if (settings.film_parts == FilmParts::pooled) need_of_pooling(need, size, groups);
   // Paths with all that is known of their vertices; splats of a sample, one for each technique.
+  // Of mmlt a group has a chain for each length, of half the longest in the mean.
   const double n = size.max_vertices;
-  constexpr double of_vertex = 1024, of_splat = 128, of_start = 4096;
+  const bool is_path_of_numbers = job.method().state == ChainState::numbers_of_path;
+  constexpr double of_vertex_and_numbers = 512, of_splat = 128, of_start = 4096;
+  constexpr double of_length = 8192;  // what samples and states of each length are like
+  const double of_path = is_path_of_numbers ? (n + 1) / 2 * of_vertex_and_numbers + of_length
+                                            : n * 2 * of_vertex_and_numbers;
   const bool is_sample = job.method().state == ChainState::numbers_of_sample;
-  const double of_chain = ThinnedDraws::capacity * sizeof(Functionals) + of_start + of_vertex * n +
+  const double of_chain = ThinnedDraws::capacity * sizeof(Functionals) + of_start + of_path +
                           (is_sample ? of_splat * std::min(n * n, 4096.0) : 0);
-  const double of_each =
-      job.method().state == ChainState::numbers_of_path ? n - 1 : settings.chains_per_group;
+  const double of_each = is_path_of_numbers ? n - 1 : settings.chains_per_group;
   need.chains = groups * of_each * of_chain;
 }
 

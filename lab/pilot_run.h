@@ -89,7 +89,8 @@ class PilotRun {
 
   Pilot make_samples() {
     Pilot pilot;
-    const std::uint64_t of_each = std::min(samples_per_round / trial_.count(), trial_.seed_stride());
+    const std::uint64_t of_each =
+        std::min(samples_per_round / trial_.count(), trial_.seed_stride());
     for (std::uint64_t made = 0; made < most && pilot.rays < ChainSettings::most_rays &&
                                  !budget_.is_over(share_of_samples);) {
       trial_.add_seeds(of_each);

@@ -1,7 +1,7 @@
 // Independent weighted paths from which kernels are tested.
 //
-// A bidirectional sample holds paths x_k with weights W_k = f(x_k) / p(x_k), where p = Σ_s p_{s,t}
-// is the intensity of all techniques.  Weights above a bound C are clipped,
+// A bidirectional sample, whose walks play Russian roulette, holds paths x_k with weights
+// W_k = f(x_k) / p(x_k), where p = Σ_s q_{s,t} p_{s,t} is the intensity of all techniques under roulette.  Weights above a bound C are clipped,
 //   v_k = W_k c(x_k),  c(x) = min(1, C p(x) / f(x)),
 // so that no rare path outweighs all others, and one path is chosen in proportion to v_k.  It has
 // the weight Σ_k v_k; a sample without paths counts as zero.  So E[v h(x)] = ∫ c f h.  Samples
@@ -26,8 +26,9 @@ class Starts {
   using W = typename Space::Universe;
 
   Starts(const Space& space, std::uint64_t seed, const StartsPilot& size = {})
-      : size_(size),
-        sampler_(space, all_techniques, Heuristic::balance),
+      : space_(space),
+        size_(size),
+        sampler_(space.with(Roulette::by_albedo), all_techniques, Heuristic::balance),
         numbers_(seed, Purpose::test, 0),
         choice_(seed, Purpose::test, 1),
         path_(space.max_vertices()) {
@@ -39,15 +40,17 @@ class Starts {
 
   // The weight of sample number i; if it is positive, path() is one of the sample's paths.
   double draw(std::uint64_t i) {
-    const double weight = sample(i);
-    if (weight >= average_) return weight;
-    return choice_.uniform() * average_ < weight ? average_ : 0;
+    const double weight = sample(i), kept = roulette(weight);
+    if (kept > 0)
+      for (int k = 0; k < path_.size(); ++k) space_.evaluate(path_, k);
+    return kept;
   }
+  // Measured as one of the space, which has no roulette.
   const Path<W>& path() const { return path_; }
 
   // c(x) of a path that is measured.
   double clip(const Path<W>& x) const {
-    const double weight = (x.contribution / x.intensity).value();
+    const double weight = (x.contribution / x.intensity_under_roulette).value();
     return weight > bound_ ? bound_ / weight : 1;
   }
 
@@ -66,6 +69,10 @@ class Starts {
     average_ = sum / static_cast<double>(lit);
     bound_ = clipped_above * average_;
   }
+  double roulette(double weight) {
+    if (weight >= average_) return weight;
+    return choice_.uniform() * average_ < weight ? average_ : 0;
+  }
   double sample(std::uint64_t i) {
     numbers_.start(i);
     choice_.start(i);
@@ -78,6 +85,7 @@ class Starts {
     return total;
   }
 
+  const Space& space_;
   StartsPilot size_;
   PathSampler<Space> sampler_;
   Rng numbers_, choice_;

@@ -13,7 +13,7 @@ namespace wander {
 // Σ and Σ² over samples, of all paths and of each length.
 struct SeedTally {
   std::uint64_t samples = 0;
-  std::uint64_t rays = 0;  // of walks and connections that were tried: what the samples cost
+  std::uint64_t rays = 0;         // of walks and connections that were tried: what the samples cost
   std::vector<Sum> sum, squares;  // by vertices - 2
   Sum total, total_squares;
   TechniqueTable techniques;  // Σ w f/p of each

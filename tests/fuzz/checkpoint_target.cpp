@@ -18,7 +18,8 @@ std::string file_of(std::string_view input) {
   const std::string text = of_this_version(input);
   const std::size_t header = std::min(text.find('\n'), text.size() - 1) + 1;
   const std::size_t state = std::min(text.find('\n', header), text.size() - 1) + 1;
-  const std::size_t size = std::max(state, text.size() - std::min(text.size(), sizeof(std::uint64_t)));
+  const std::size_t size =
+      std::max(state, text.size() - std::min(text.size(), sizeof(std::uint64_t)));
   std::string file = text.substr(0, state);
   const ByteSink sink = [&file](std::string_view piece) { file += piece; };
   Packing packing(sink);

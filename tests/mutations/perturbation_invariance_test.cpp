@@ -27,7 +27,7 @@ TEST_P(Perturbed, PathsKeepTheirDistributionAndFluxIsBalanced) {
   const auto& [name, make, kernel] = GetParam();
   const FlatScene scene = build(make());
   // Few paths are made for the multi-chain perturbation.
-  const std::uint64_t samples = kernel.name == "Multichain" ? 80'000 : 30'000;
+  const std::uint64_t samples = kernel.name == "Multichain" ? 120'000 : 30'000;
   const InvarianceOptions options{
       .samples = samples, .steps = 10, .seed = 3, .false_alarm = usual_false_alarm / 3};
   const InvarianceReport report = kernel.test(Flat(*scene, Roulette::off), options);

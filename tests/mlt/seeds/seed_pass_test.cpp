@@ -189,12 +189,14 @@ TEST_P(SeedPass, AGroupChoosesItsSeedsWithItsOwnNumbers) {
 TEST(SeedTally, OfTwoSlicesIsTheTallyOfAllTheirSamples) {
   SeedTally tally(4), other(4);
   tally.samples = 3, other.samples = 5;
+  tally.rays = 40, other.rays = 70;
   tally.total += 4, tally.total_squares += 10;
   other.total += 2, other.total_squares += 8;
   tally.sum[1] += 4, tally.squares[1] += 10;
   other.sum[1] += 2, other.squares[1] += 8;
   tally.merge(other);
   EXPECT_EQ(tally.samples, 8u);
+  EXPECT_EQ(tally.rays, 110u);
   EXPECT_EQ(tally.mean(), 6.0 / 8);
   EXPECT_EQ(tally.effective_samples(), 36.0 / 18);
   EXPECT_EQ(tally.sum[1].value(), 6);
