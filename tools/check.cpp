@@ -7,7 +7,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <ranges>
 
 #include "lab/engine.h"
 #include "lab/failure.h"
@@ -48,9 +47,9 @@ std::uint64_t parse_samples(std::string_view text) {
 
 std::vector<std::string> names_of_symmetries() {
   std::vector<std::string> names;
-  for (const Precision precision : std::views::reverse(precisions))
+  for (auto precision = precisions.rbegin(); precision != precisions.rend(); ++precision)
     for (const Method& method : methods())
-      names.push_back(fmt::format("{} in {}", method.name, name_of(precision)));
+      names.push_back(fmt::format("{} in {}", method.name, name_of(*precision)));
   return names;
 }
 
