@@ -1,7 +1,8 @@
 // Independent weighted paths from which kernels are tested.
 //
 // A bidirectional sample, whose walks play Russian roulette, holds paths x_k with weights
-// W_k = f(x_k) / p(x_k), where p = Σ_s q_{s,t} p_{s,t} is the intensity of all techniques under roulette.  Weights above a bound C are clipped,
+// W_k = f(x_k) / p(x_k), where p = Σ_s q_{s,t} p_{s,t} is the intensity of all techniques under
+// roulette.  Weights above a bound C are clipped,
 //   v_k = W_k c(x_k),  c(x) = min(1, C p(x) / f(x)),
 // so that no rare path outweighs all others, and one path is chosen in proportion to v_k.  It has
 // the weight Σ_k v_k; a sample without paths counts as zero.  So E[v h(x)] = ∫ c f h.  Samples

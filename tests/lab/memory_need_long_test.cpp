@@ -14,7 +14,9 @@ TEST_F(MemoryOfLargeRuns, IsBetweenHalfOfWhatTheySayAndTheWhole) {
                                      {"mlt", 1'000'000},
                                      {"mlt", 1'000'000, "--by-length --maps"},
                                      {"pssmlt", 1'000'000},
-                                     {"mmlt", 1'000'000}});
+                                     {"mmlt", 1'000'000},
+                                     {"mmlt", 100, "", 60},
+                                     {"mmlt", 100, "", 300}});
 }
 
 }  // namespace
