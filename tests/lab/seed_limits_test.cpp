@@ -4,7 +4,6 @@
 
 #include "lab/drive.h"
 #include "mlt/run/chain_settings.h"
-#include "work/stopping_rule.h"
 
 namespace wander::test::seed_limits {
 namespace {
