@@ -14,7 +14,7 @@ TEST_F(MemoryOfRuns, IsBetweenHalfOfWhatTheySayAndTheWhole) {
 }
 
 TEST_F(MemoryOfRuns, ThatWouldNotFitIsRefusedBeforeTheyBegin) {
-  write_box(10'000'000);
+  write_box({"mlt", 10'000'000});
   const Outcome outcome = shell(
       "ulimit -v 700000; \"$WANDER\" render film.json -m mlt -b 1M --by-length --json -o run");
   EXPECT_EQ(outcome.exit_code, 1);
