@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/vector.h"
@@ -35,31 +36,48 @@ template <class T>
 struct Frame<2, T> {
   Vec<2, T> normal;
 
+  explicit Frame(Vec<2, T> n) : normal(n) {}
+  template <class Edge>
+  Frame(Vec<2, T> n, const Edge&) : normal(n) {}
+
   Vec<2, T> tangent() const { return {normal.y, -normal.x}; }
   Vec<2, T> to_local(Vec<2, T> v) const { return {glm::dot(v, tangent()), glm::dot(v, normal)}; }
   Vec<2, T> to_world(Vec<2, T> v) const { return v.x * tangent() + v.y * normal; }
 };
 
+// In space the tangent is z × n.  About ±z, where that is nothing, it is the axis that an edge of the
+// surface runs along most nearly; edge() is asked there alone.  So a frame turns with the world where
+// that makes a quarter turn about z, bit for bit, as no frame that is made of n alone does.
 template <class T>
 struct Frame<3, T> {
-  Vec<3, T> normal;
+  Vec<3, T> normal, tangent, bitangent;
 
-  // Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
-  Vec<3, T> tangent() const {
-    const T sign = std::copysign(T(1), normal.z);
-    const T a = -1 / (sign + normal.z);
-    return {1 + sign * normal.x * normal.x * a, sign * normal.x * normal.y * a, -sign * normal.x};
+  explicit Frame(Vec<3, T> n) : Frame(n, [] { return Vec<3, T>(1, 0, 0); }) {}
+  template <class Edge>
+  Frame(Vec<3, T> n, const Edge& edge) : normal(n) {
+    const T squared_sine = n.x * n.x + n.y * n.y;
+    if (squared_sine > std::numeric_limits<T>::min()) [[likely]] {
+      const T sine = std::sqrt(squared_sine), cotangent = n.z / sine;
+      tangent = {-n.y / sine, n.x / sine, 0};
+      bitangent = {-cotangent * n.x, -cotangent * n.y, sine};
+    } else {
+      tangent = nearest_axis(edge());
+      bitangent = glm::cross(n, tangent);
+    }
   }
-  Vec<3, T> bitangent() const {
-    const T sign = std::copysign(T(1), normal.z);
-    const T a = -1 / (sign + normal.z);
-    return {normal.x * normal.y * a, sign + normal.y * normal.y * a, -normal.y};
-  }
+
   Vec<3, T> to_local(Vec<3, T> v) const {
-    return {glm::dot(v, tangent()), glm::dot(v, bitangent()), glm::dot(v, normal)};
+    return {glm::dot(v, tangent), glm::dot(v, bitangent), glm::dot(v, normal)};
   }
-  Vec<3, T> to_world(Vec<3, T> v) const {
-    return v.x * tangent() + v.y * bitangent() + v.z * normal;
+  Vec<3, T> to_world(Vec<3, T> v) const { return v.x * tangent + v.y * bitangent + v.z * normal; }
+
+ private:
+  // Of ±x and ±y; each takes one of the two diagonals beside it.
+  static Vec<3, T> nearest_axis(Vec<3, T> v) {
+    if (v.x > v.y && v.x >= -v.y) return {1, 0, 0};
+    if (v.y >= v.x && v.y > -v.x) return {0, 1, 0};
+    if (v.x < v.y) return {-1, 0, 0};
+    return {0, -1, 0};
   }
 };
 
@@ -238,7 +256,7 @@ struct Dimension<3> {
   template <class T>
   static Vec<3, T> cone_direction(Vec<3, T> axis, T theta, T u) {
     const std::array<T, 2> p = ring_offset(std::sin(theta), u);
-    return Frame<3, T>{axis}.to_world({p[0], p[1], std::cos(theta)});
+    return Frame<3, T>(axis).to_world({p[0], p[1], std::cos(theta)});
   }
 
   template <class T>

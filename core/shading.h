@@ -25,6 +25,23 @@
 
 namespace wander {
 
+// About a normal of the surface at that place.
+template <World W>
+Frame<W::dimension, typename W::Length> frame_at(const Scene<W>& scene, const Place<W>& place,
+                                                 typename W::Direction normal) {
+  const auto edge = [&] {
+    return visit_shape(
+        [&](const auto& s) -> typename W::Direction {
+          if constexpr (requires { s.edge(place.primitive); })
+            return s.edge(place.primitive);
+          else
+            return typename W::Direction(1);  // any
+        },
+        scene.shape(place.shape));
+  };
+  return {normal, edge};
+}
+
 template <World W>
 class ShadingFrame {
  public:
@@ -36,7 +53,9 @@ class ShadingFrame {
   ShadingFrame(const Scene<W>& scene, const Place<W>& place)
       : normal_(place.normal),
         is_smooth_(W::dimension == 3 && scene.surface(place.shape).is_smooth),
-        frame_{is_smooth() ? shading_normal(scene.shape(place.shape), place) : place.normal} {}
+        frame_(frame_at(
+            scene, place,
+            is_smooth() ? shading_normal(scene.shape(place.shape), place) : place.normal)) {}
 
   Local to_local(Direction direction) const { return frame_.to_local(direction); }
   // Of unit length.

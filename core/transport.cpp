@@ -10,11 +10,6 @@ namespace wander {
 
 namespace {
 
-template <World W>
-typename W::Local local(const Vertex<W>& v, typename W::Direction direction) {
-  return Frame<W::dimension, typename W::Length>{v.place.normal}.to_local(direction);
-}
-
 // G without visibility: |cos cos'| / r^(D-1) for the edge along `direction`.
 template <World W>
 double geometry(const Vertex<W>& a, const Vertex<W>& b, typename W::Direction direction,
@@ -81,7 +76,7 @@ auto Transport<W>::sample_direction(Path<W>& x, int i, Toward toward, ScatterNum
   if (v.event == Event::detection && v.place.shape == no_shape)
     return scene_->camera()->sample_direction(v.place.position, u.direction);
   if (v.event == Event::emission || v.event == Event::detection) {
-    const Frame<W::dimension, Length> frame{v.place.normal};
+    const auto frame = frame_at(*scene_, v.place, v.place.normal);
     return frame.to_world(Direction(W::Dimension::cosine_sample(u.direction)));
   }
 
@@ -295,7 +290,8 @@ InvertedNumbers<W> Transport<W>::inverted(const Path<W>& x, int i, Toward toward
   if (v.event == Event::detection && v.place.shape == no_shape)
     return {.direction = *scene_->camera()->film_coordinate(v.place.position, sampled)};
   if (v.event == Event::emission || v.event == Event::detection)
-    return {.direction = square<W>(W::Dimension::cosine_invert(local(v, sampled)))};
+    return {.direction = square<W>(W::Dimension::cosine_invert(
+                frame_at(*scene_, v.place, v.place.normal).to_local(sampled)))};
   const ShadingFrame<W> frame(*scene_, v.place);
   return std::visit(
       [&](const auto& m) {

@@ -80,8 +80,18 @@ description::Scene scaled(const description::Scene& scene, double factor) {
   return result;
 }
 
+// About z: points and directions.
 description::Scene turned(const description::Scene& scene) {
-  return with_points(scene, [](description::Coordinates& p) { p = {-p[1], p[0], p[2]}; });
+  constexpr auto turn = [](description::Coordinates& p) { p = {-p[1], p[0], p[2]}; };
+  description::Scene result = with_points(scene, turn);
+  if (result.camera) turn(result.camera->up);
+  for (description::Shape& shape : result.shapes)
+    if (auto* mesh = std::get_if<description::Mesh>(&shape.kind)) {
+      auto own = std::make_shared<Triangles>(*mesh->triangles);
+      std::ranges::for_each(own->normals, turn);
+      mesh->triangles = std::move(own);
+    }
+  return result;
 }
 
 bool may_be_said(const description::Scene& scene) {
@@ -96,13 +106,15 @@ bool may_be_said(const description::Scene& scene) {
          });
 }
 
-// Angles are measured from the x-axis, and a turned arc has others.
+// Angles are measured from the x-axis: a turned arc has others, and so have the numbers of points that
+// are sampled on circles and spheres.
 bool turns_exactly(const description::Scene& scene) {
-  return scene.dimension == 2 && std::ranges::all_of(scene.shapes, [](const auto& shape) {
-           const bool is_sampled = shape.light || shape.sensor;
-           return !std::holds_alternative<description::Arc>(shape.kind) &&
-                  !(is_sampled && std::holds_alternative<description::Circle>(shape.kind));
-         });
+  return std::ranges::all_of(scene.shapes, [](const auto& shape) {
+    const bool is_sampled = shape.light || shape.sensor;
+    const bool is_round = std::holds_alternative<description::Circle>(shape.kind) ||
+                          std::holds_alternative<description::Sphere>(shape.kind);
+    return !std::holds_alternative<description::Arc>(shape.kind) && !(is_sampled && is_round);
+  });
 }
 
 // ---- light

@@ -1,6 +1,6 @@
 // What may be done to a scene that changes no bit of its film but the exponents: lengths times a power
-// of two, radiances times one, a quarter turn of a scene of the plane, a material that nothing is
-// made of.  Where a bit changes, somewhere a number that has a unit was compared with one that has
+// of two, radiances times one, a quarter turn (of space: about z), a material that nothing is made
+// of.  Where a bit changes, somewhere a number that has a unit was compared with one that has
 // none, or left the range of its type.
 #pragma once
 

@@ -43,6 +43,10 @@ class Mesh {
   Point shading_normal(Point p, std::int32_t primitive) const;
   // Those of the corners as they are mixed there.
   std::array<double, 2> texture_coordinates(Point p, std::int32_t primitive) const;
+  Point edge(std::int32_t primitive) const {
+    const auto [a, b, c] = corners(primitive);
+    return b - a;
+  }
   Box<W> bounds() const;
   Box<W> bounds(std::int32_t primitive) const {
     const auto [a, b, c] = corners(primitive);

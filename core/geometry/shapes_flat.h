@@ -6,6 +6,7 @@
 //   surface(ray, hit)           position and normal of that crossing
 //   sample(u)                   the point at parameter u in [0,1), by arc length or area
 //   parameter(point, primitive) its inverse
+//   edge(primitive)             of a flat surface of space, a direction in it that turns with it
 //   measure(), bounds()
 //   flat                        no two points of one primitive see each other
 // and a shape of many primitives (mesh.h) also their number, primitives(), and bounds(primitive).

@@ -52,6 +52,7 @@ class Parallelogram {
     return {glm::dot(p - origin_, dual0_), glm::dot(p - origin_, dual1_)};
   }
   Length measure() const { return area_; }
+  Point edge(PrimitiveId<W>) const { return edge0_; }
   Box<W> bounds() const;
 
  private:

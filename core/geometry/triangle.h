@@ -154,6 +154,7 @@ class Triangle {
     return {into_unit<typename W::Real>(u[0]), into_unit<typename W::Real>(u[1])};
   }
   Length measure() const { return glm::length(glm::cross(b_ - a_, c_ - a_)) / 2; }
+  Point edge(PrimitiveId<W>) const { return b_ - a_; }
   Box<W> bounds() const { return triangle_bounds<W>(a_, b_, c_); }
 
  private:

@@ -95,11 +95,14 @@ class LintOfSpace {
     for (const auto& [shape, other] : overlaps.of_roles)
       note(found_.faults, shape,
            light_or_sensor_lies_on(scene_.shapes[shape].light.has_value(), other));
-    for (const auto& [shape, other] : overlaps.of_sheets)
+    for (const auto& [shape, other] : overlaps.of_passive)
       note(found_.warnings, shape,
-           fmt::format("this shape lies on /shapes/{}; where light reaches both, each method meets "
-                       "another of them: move one a small distance off",
-                       other));
+           shape == other
+               ? std::string("triangles of this mesh lie on each other, and each method meets "
+                             "another of them: leave out what is there twice")
+               : fmt::format("this shape lies on /shapes/{}; where light reaches both, each "
+                             "method meets another of them: move one a small distance off",
+                             other));
   }
 
   const description::Scene& scene_;

@@ -54,15 +54,4 @@ Extent extent_of(const Face& face) {
   return extent;
 }
 
-std::optional<Face> only_face_of(const description::ShapeKind& kind) {
-  std::optional<Face> only;
-  std::size_t faces = 0;
-  for_each_face(kind, [&](const Face& face) {
-    ++faces;
-    only = face;
-  });
-  const Sheet* sheet = faces == 1 ? std::get_if<Sheet>(&*only) : nullptr;
-  return sheet != nullptr && sheet->has_area() ? only : std::nullopt;
-}
-
 }  // namespace wander

@@ -5,7 +5,6 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <limits>
-#include <optional>
 #include <variant>
 
 #include "core/description.h"
@@ -63,8 +62,5 @@ void for_each_face(const description::ShapeKind& kind, Visitor&& visit) {
       },
       kind);
 }
-
-// Of a shape that has one flat face that has an area.
-std::optional<Face> only_face_of(const description::ShapeKind& kind);
 
 }  // namespace wander

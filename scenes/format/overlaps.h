@@ -13,13 +13,15 @@ struct Overlap {
 };
 
 struct Overlaps {
-  std::vector<Overlap> of_roles;   // a light or sensor, and what it lies on
-  std::vector<Overlap> of_sheets;  // two triangles or parallelograms that are neither
+  std::vector<Overlap> of_roles;    // a light or sensor, and what it lies on
+  std::vector<Overlap> of_passive;  // two that are neither, or one in which triangles do
 };
 
 // Points nearer than `rounding` are the same.  Of lights and sensors every face is compared with every
-// face of other shapes, and of the rest those shapes that are one flat face: as far as ten million
-// pairs of either kind.  Each pair of shapes is named once, and no more than a thousand.
+// face of other shapes, and of the rest all faces with each other, where there are no more than fifty
+// thousand: as far as ten million pairs of either kind.  Faces of meshes are left out where the two look
+// at each other and let no light through, as the floor and the bottom of a box.  Each pair of shapes is
+// named once, and no more than a thousand.
 Overlaps overlaps_of(const description::Scene& scene, double rounding);
 
 }  // namespace wander

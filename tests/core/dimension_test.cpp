@@ -76,6 +76,28 @@ TYPED_TEST(InDimension, FramesAreOrthonormalAndTurnBack) {
   }
 }
 
+// However near z a normal is; and at z, along whichever edge.
+TEST(FramesOfSpace, AreOrthonormalAndMakeQuarterTurnsWithTheWorld) {
+  using Vector = Vec<3, double>;
+  Generator g(5);
+  const auto turned = [](Vector v) { return Vector(-v.y, v.x, v.z); };
+  std::vector<Vector> edges{{1, 0, 0}, {1, 1, 0}, {-3, 3, 0}, {-1, -1, 0}, {2, -2, 0}, {0, -2, 0}};
+  for (int i = 0; i < 20; ++i) edges.push_back(random_direction<3>(g));
+  for (const double off : {1.0, 1e-3, 1e-8, 1e-100, 1e-160, 0.0})
+    for (const double side : {-1.0, 1.0})
+      for (const Vector& edge : edges) {
+        const Vector n = glm::normalize(Vector(off * g.uniform(), -off, side));
+        const Frame<3, double> frame(n, [&] { return edge; });
+        const Frame<3, double> other(turned(n), [&] { return turned(edge); });
+        const Vector v = random_direction<3>(g);
+        EXPECT_NEAR(glm::length(frame.to_local(v)), 1, 1e-15);
+        EXPECT_NEAR(glm::length(frame.to_world(frame.to_local(v)) - v), 0, 2e-15);
+        EXPECT_GT(glm::dot(glm::cross(frame.tangent, frame.bitangent), n), 1 - 1e-14);
+        EXPECT_EQ(other.to_world(v), turned(frame.to_world(v)));
+        EXPECT_EQ(other.to_local(turned(v)), frame.to_local(v));
+      }
+}
+
 TYPED_TEST(InDimension, CosineSamplesHaveTheDensityOfTheCosine) {
   constexpr int D = TestFixture::D;
   using Dim = Dimension<D>;

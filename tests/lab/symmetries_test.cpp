@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mlt/seeds/nothing_found.h"
+#include "tests/core/geometry/meshes.h"
 #include "tests/lab/expected_symmetries.h"
 
 namespace wander::test {
@@ -13,6 +14,52 @@ class Symmetries : public testing::TestWithParam<const char*> {};
 TEST_P(Symmetries, NoBitOfAnyFilmChanges) {
   const description::Scene scene = scene_named(GetParam());
   expect_symmetries(scene, variations_of(scene));
+}
+
+// Normals along the axis of the turn, of a parallelogram, a triangle and a mesh; normals of corners.
+description::Scene ball_on_a_box() {
+  using description::Coordinates;
+  description::Scene scene;
+  scene.dimension = 3;
+  scene.max_vertices = 6;
+  scene.materials = {{"grey", description::Diffuse{{{0.7, 0.7, 0.7}}}},
+                     {"metal", description::RoughConductor{0.3, {{0.9, 0.9, 0.9}}}}};
+  const auto add = [&](description::ShapeKind kind, std::size_t material) {
+    auto& shape = scene.shapes.emplace_back();
+    shape.kind = std::move(kind);
+    shape.material = material;
+  };
+  const auto mesh = [](Triangles triangles) {
+    description::Mesh made;
+    made.normals = triangles.normals.empty() ? description::MeshNormals::flat
+                                             : description::MeshNormals::smooth;
+    made.triangles = std::make_shared<const Triangles>(std::move(triangles));
+    return made;
+  };
+  Generator g(7);
+  Triangles ball = ball_mesh(g, 6, 0, {0, 0, 0.9}, 0.4);
+  for (const Coordinates& p : ball.points)
+    ball.normals.push_back({p[0] / 0.4, p[1] / 0.4, (p[2] - 0.9) / 0.4});
+  add(description::Parallelogram{{-2, -2, 0}, {{{4, 0, 0}, {0, 4, 0}}}}, 1);
+  add(mesh(std::move(ball)), 1);
+  add(mesh(box_mesh({-0.6, -0.7, 0.1}, {0.8, 0.5, 0.45})), 0);
+  add(description::Triangle{{{{-1, -1, 2}, {0, 1, 2}, {1, -1, 2}}}}, 0);
+  scene.shapes.back().light = description::Light{{{1, 1, 1}}};
+  scene.camera.emplace();
+  scene.camera->position = {0.3, -3, 1.7};
+  scene.camera->target = {0, 0, 0.5};
+  scene.camera->up = {0, 0.1, 1};
+  scene.camera->fov_degrees = 50;
+  scene.camera->resolution = {12, 9};
+  return scene;
+}
+
+TEST(SymmetriesOfSpace, FramesTurnWithTheWorld) {
+  const description::Scene scene = ball_on_a_box();
+  std::vector<Variation> all = variations_of(scene);
+  std::erase_if(all, [](const Variation& one) { return !one.name.starts_with("turned"); });
+  ASSERT_EQ(all.size(), 1u);
+  expect_symmetries(scene, all);
 }
 
 TEST(SymmetriesOfALens, ItsFocusAndItsApertureAreLengths) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes/format/lint.h"
+#include "tests/core/geometry/meshes.h"
 #include "tests/scenes/format/space_texts.h"
 
 namespace wander {
@@ -107,6 +108,67 @@ TEST(LintOfSpace, LooksAtEveryFaceOfAMeshBesideALightOrSensor) {
   EXPECT_NE(found[0].what.find("the sensor lies on /shapes/2"), std::string::npos);
   triangles->corners = {{0, 3, 4}};
   EXPECT_TRUE(lint(scene).faults.empty());
+}
+
+// ---- meshes that are neither
+
+using test::box_mesh;
+
+class LintOfMeshes : public testing::Test {
+ protected:
+  void add(Triangles triangles, std::optional<std::size_t> material = {}) {
+    auto& shape = scene_.shapes.emplace_back();
+    shape.kind =
+        description::Mesh{"m.obj", std::make_shared<const Triangles>(std::move(triangles))};
+    shape.material = material;
+  }
+  std::vector<Fault> doubts() const { return lint(scene_).warnings; }
+
+  description::Scene scene_ = parse(space_only("[" + a_lamp + "," + a_screen + "]")).scene;
+};
+
+TEST_F(LintOfMeshes, TrianglesThatLookTheSameWayAreDoubted) {
+  add(box_mesh({5, 1, 5}, {6, 2, 6}));
+  add(box_mesh({8, 1, 5}, {9, 2, 6}));
+  EXPECT_TRUE(doubts().empty());
+  add(box_mesh({5.25, 1.5, 5.25}, {5.75, 2, 5.75}));  // only its top lies on the first one's
+  const std::vector<Fault> found = doubts();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].pointer, "/shapes/4");
+  EXPECT_NE(found[0].what.find("this shape lies on /shapes/2"), std::string::npos);
+}
+
+TEST_F(LintOfMeshes, ABoxOnAFloorIsNotUnlessItIsOfGlass) {
+  scene_.materials = {{"glass", description::Dielectric{}}};
+  add(box_mesh({0, 1, 5}, {9, 2, 9}));
+  add(box_mesh({5, 2, 5.5}, {6, 3, 6}));
+  EXPECT_TRUE(doubts().empty());
+  scene_.shapes.back().material = 0;
+  EXPECT_EQ(doubts().size(), 1u);
+}
+
+TEST_F(LintOfMeshes, WhatIsTwiceInAMeshIsSaidOnce) {
+  Triangles twice = box_mesh({5, 1, 5}, {6, 2, 6});
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto corners = twice.corners[k];
+    twice.corners.push_back(corners);
+  }
+  add(std::move(twice));
+  const std::vector<Fault> found = doubts();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].what.find("triangles of this mesh lie on each other"), 0u);
+}
+
+TEST_F(LintOfMeshes, BallsAreComparedToo) {
+  for (const double radius : {1.0, 1.5, 1.0}) {
+    description::Sphere ball;
+    ball.center = {6, 3, 6};
+    ball.radius = radius;
+    scene_.shapes.emplace_back().kind = ball;
+  }
+  const std::vector<Fault> found = doubts();
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].pointer, "/shapes/4");
 }
 
 }  // namespace
