@@ -1,11 +1,15 @@
-// Ctrl-C and SIGTERM: the first asks the run to finish early and save, a later one kills.
+// Ctrl-C and SIGTERM: the first asks the run to finish early and save, a later one kills.  As long as
+// there is nothing to save the first ends the program.
 #pragma once
 
 #include <atomic>
 
 namespace wander {
 
-// Installs the handlers and returns the flag that the first signal sets.
+// From now on they end the program, with the exit code of an interruption.
+void leave_at_interruption();
+
+// From now on they are noted: installs the handlers and returns the flag that the first signal sets.
 const std::atomic<bool>& watch_for_interruption();
 
 }  // namespace wander

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "lab/engine.h"
+#include "lab/held_run.h"
 #include "lab/memory_need.h"
 #include "lab/parsing.h"
 #include "lab/run_warnings.h"
@@ -29,12 +30,14 @@ namespace {
 
 Rendering rendering_of(const RenderTask& task, const Keeper& keeper, const Global& global) {
   Progress progress(global);
-  const Session session{.budget = task.budget,
-                        .seed = task.run.seed,
-                        .threads = global.threads,
-                        .interrupted = &watch_for_interruption(),
-                        .report = progress.reporter()};
-  Rendering rendering = carry_on(task.run.run, task.job, session, keeper);
+  Session session{.budget = task.budget,
+                  .seed = task.run.seed,
+                  .threads = global.threads,
+                  .report = progress.reporter()};
+  HeldRun run(task.job, session, task.run.run);
+  // Not before: while the scene is built there is nothing to save.
+  session.interrupted = &watch_for_interruption();
+  Rendering rendering = run.go_on(session, keeper);
   add_warnings(rendering, session, task.document, task.run.scene_source);
   return rendering;
 }

@@ -3,8 +3,8 @@
 #include <limits>
 
 // The same numbers with the instructions of either processor: the loader chooses.  (clang has no clones of
-// what is made of a template.)
-#ifdef __clang__
+// what is made of a template; and what chooses would run before ThreadSanitizer is there.)
+#if defined(__clang__) || defined(__SANITIZE_THREAD__)
 #define WANDER_WIDEST_LANES
 #else
 #define WANDER_WIDEST_LANES [[gnu::target_clones("avx2", "default")]]
