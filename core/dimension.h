@@ -57,9 +57,9 @@ struct Frame<3, T> {
   Frame(Vec<3, T> n, const Edge& edge) : normal(n) {
     const T squared_sine = n.x * n.x + n.y * n.y;
     if (squared_sine > std::numeric_limits<T>::min()) [[likely]] {
-      const T sine = std::sqrt(squared_sine), cotangent = n.z / sine;
-      tangent = {-n.y / sine, n.x / sine, 0};
-      bitangent = {-cotangent * n.x, -cotangent * n.y, sine};
+      const T cosecant = 1 / std::sqrt(squared_sine);
+      tangent = {-n.y * cosecant, n.x * cosecant, 0};
+      bitangent = {-n.z * tangent.y, n.z * tangent.x, squared_sine * cosecant};
     } else {
       tangent = nearest_axis(edge());
       bitangent = glm::cross(n, tangent);
