@@ -122,6 +122,7 @@ struct Camera {
   std::vector<int> resolution;
   double aperture_radius = 0;
   std::optional<double> focus_distance;  // default: distance from position to target
+  int line = 0, column = 0;              // where the camera begins in its file, for messages
 };
 
 struct Scene {

@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "scenes/format/camera_place.h"
 #include "scenes/format/lint_bounds.h"
 #include "scenes/format/lint_space.h"
 #include "scenes/format/scene_file_pieces.h"
@@ -38,8 +39,7 @@ class LintOfPlane {
  public:
   explicit LintOfPlane(const description::Scene& scene)
       : scene_(scene), parts_(pieces_of(scene)), ends_(parts_.pieces.size()) {
-    // Of a point computed from coordinates this far from the origin.
-    rounding_ = 32 * std::numeric_limits<double>::epsilon() * (1 + parts_.remoteness);
+    rounding_ = rounding_of_points(1, parts_.remoteness);
   }
 
   Lint found() && {
@@ -255,7 +255,13 @@ std::string light_or_sensor_lies_on(bool is_light, std::size_t shape) {
 }
 
 Lint lint(const description::Scene& scene) {
-  return scene.dimension == 3 ? lint_space(scene) : LintOfPlane(scene).found();
+  Lint found = scene.dimension == 3 ? lint_space(scene) : LintOfPlane(scene).found();
+  if (const auto shape = shape_below_camera(scene))
+    found.faults.push_back({scene.camera->line, scene.camera->column, "/camera",
+                            fmt::format("the camera lies on {} at no distance; move it a small "
+                                        "distance off",
+                                        pointer_to(*shape))});
+  return found;
 }
 
 }  // namespace wander

@@ -4,6 +4,7 @@
 //   shapes that lie on each other          which of them light meets is left to rounding, and no two
 //                                          methods round alike: refused, in space where one of them is
 //                                          a light or sensor, else doubted
+//   a camera that lies on a surface        what it sees there is left to rounding: refused
 //   a light that faces another surface at almost no distance
 //   ends that nearly meet                  light leaks through a gap below 1e-6 of the diameter
 //   features below 1e-12 of the diameter, and scenes beyond 1e6 diameters from the origin

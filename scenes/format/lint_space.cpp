@@ -46,9 +46,8 @@ class LintOfSpace {
       measured_.push_back(measured(shape.kind));
       all.include(measured_.back().extent);
     }
-    diameter_ = glm::length(all.high - all.low);
-    const glm::dvec3 reach = glm::max(glm::abs(all.low), glm::abs(all.high));
-    remoteness_ = std::max({reach.x, reach.y, reach.z}) / diameter_;
+    diameter_ = all.diameter();
+    remoteness_ = all.remoteness();
   }
 
   Lint found() && {
@@ -89,9 +88,7 @@ class LintOfSpace {
   }
 
   void find_overlaps() {
-    const double rounding =
-        32 * std::numeric_limits<double>::epsilon() * diameter_ * (1 + remoteness_);
-    const Overlaps overlaps = overlaps_of(scene_, rounding);
+    const Overlaps overlaps = overlaps_of(scene_, rounding_of_points(diameter_, remoteness_));
     for (const auto& [shape, other] : overlaps.of_roles)
       note(found_.faults, shape,
            light_or_sensor_lies_on(scene_.shapes[shape].light.has_value(), other));

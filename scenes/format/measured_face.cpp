@@ -23,12 +23,23 @@ std::array<Point, 4> Sheet::inner_points() const {
   return {at(0.5, 0.5), at(0.01, 0.01), at(0.99, 0.01), at(0.99, 0.99)};
 }
 
-bool Sheet::holds(Point p) const {
+glm::dvec2 Sheet::coordinates(Point p) const {
   const Point area = glm::cross(edge0, edge1);
   const double size = glm::dot(area, area);
-  const double u = glm::dot(glm::cross(p - corner, edge1), area) / size,
-               v = glm::dot(glm::cross(edge0, p - corner), area) / size;
-  return u > 0 && v > 0 && (is_triangle ? u + v < 1 : u < 1 && v < 1);
+  return {glm::dot(glm::cross(p - corner, edge1), area) / size,
+          glm::dot(glm::cross(edge0, p - corner), area) / size};
+}
+
+bool Sheet::holds(Point p) const {
+  const glm::dvec2 at = coordinates(p);
+  return at.x > 0 && at.y > 0 && (is_triangle ? at.x + at.y < 1 : at.x < 1 && at.y < 1);
+}
+
+bool Sheet::reaches(Point p) const {
+  constexpr double rounding = 1e-12;
+  const glm::dvec2 at = coordinates(p);
+  const double most = is_triangle ? at.x + at.y : std::max(at.x, at.y);
+  return std::min(at.x, at.y) >= -rounding && most <= 1 + rounding;
 }
 
 Face face_of(const description::Triangle& s) {

@@ -2,6 +2,7 @@
 // way of light.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <glm/glm.hpp>
 #include <limits>
@@ -20,7 +21,12 @@ struct Sheet {
   glm::dvec3 normal() const { return glm::normalize(glm::cross(edge0, edge1)); }
   double shortest_side() const;
   std::array<glm::dvec3, 4> inner_points() const;
-  bool holds(glm::dvec3 point) const;  // of a point in its plane
+  // Of a point in its plane: is it inside, or inside or on the edge to within rounding?
+  bool holds(glm::dvec3 point) const;
+  bool reaches(glm::dvec3 point) const;
+
+ private:
+  glm::dvec2 coordinates(glm::dvec3 point) const;  // along the edges
 };
 
 struct Ball {
@@ -34,6 +40,12 @@ struct Extent {
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   glm::dvec3 low{infinity}, high{-infinity};
 
+  double diameter() const { return glm::length(high - low); }
+  // The largest coordinate, in diameters.
+  double remoteness() const {
+    const glm::dvec3 reach = glm::max(glm::abs(low), glm::abs(high));
+    return std::max({reach.x, reach.y, reach.z}) / diameter();
+  }
   void include(glm::dvec3 point) {
     low = glm::min(low, point);
     high = glm::max(high, point);

@@ -63,37 +63,46 @@ void note(std::vector<Overlap>& list, Overlap pair) {
 class OfRoles {
  public:
   OfRoles(const description::Scene& scene, double rounding) : scene_(scene), rounding_(rounding) {
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
-      if (has_role(scene.shapes[i]))
-        for_each_face(scene.shapes[i].kind, [&](const Face& face) {
-          roles_.push_back({face, extent_of(face), i});
-          all_roles_.include(roles_.back().extent);
-        });
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+      if (!has_role(scene.shapes[i])) continue;
+      Role& role = roles_.emplace_back(Role{.shape = i});
+      for_each_face(scene.shapes[i].kind, [&](const Face& face) {
+        role.faces.push_back({face, extent_of(face), i});
+        role.extent.include(role.faces.back().extent);
+      });
+    }
   }
 
   std::vector<Overlap> found() && {
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i)
-      for_each_face(scene_.shapes[i].kind, [&](const Face& face) { compare(face, i); });
+      for_each_face(scene_.shapes[i].kind, [&](const Face& face) {
+        for (const Role& role : roles_) compare(face, i, role);
+      });
     return std::move(found_);
   }
 
  private:
+  struct Role {
+    std::size_t shape = 0;
+    std::vector<PlacedFace> faces{};
+    Extent extent{};
+  };
+
   // A pair of lights is met from both sides, and said once.
-  void compare(const Face& face, std::size_t shape) {
+  void compare(const Face& face, std::size_t shape, const Role& role) {
+    if (role.shape == shape || (has_role(scene_.shapes[shape]) && shape < role.shape)) return;
     const Extent extent = extent_of(face);
-    if (!extent.meets(all_roles_, rounding_)) return;
-    for (const PlacedFace& role : roles_) {
-      if (role.shape == shape || (has_role(scene_.shapes[shape]) && shape < role.shape)) continue;
+    if (!extent.meets(role.extent, rounding_)) return;
+    for (const PlacedFace& own : role.faces) {
       if (++pairs_ > most_pairs) return;
-      if (extent.meets(role.extent, rounding_) && overlap(role.face, face, rounding_))
+      if (extent.meets(own.extent, rounding_) && overlap(own.face, face, rounding_))
         note(found_, {role.shape, shape});
     }
   }
 
   const description::Scene& scene_;
   double rounding_ = 0;
-  std::vector<PlacedFace> roles_;
-  Extent all_roles_;
+  std::vector<Role> roles_;
   std::size_t pairs_ = 0;
   std::vector<Overlap> found_;
 };

@@ -168,7 +168,12 @@ description::Scene build_description(const JsonDocument& document, std::string_v
     shape.column = place.column;
     scene.shapes.push_back(std::move(shape));
   }
-  if (root.contains("camera")) scene.camera = build_camera(root.at("camera"));
+  if (const auto camera = document.find(document.root(), "camera")) {
+    scene.camera = build_camera(*camera->value);
+    const LineColumn place = places.of(document.byte_of(*camera));
+    scene.camera->line = place.line;
+    scene.camera->column = place.column;
+  }
   return scene;
 }
 

@@ -125,7 +125,7 @@ Pieces pieces_of(const description::Scene& scene) {
     high = glm::max(high, piece.high);
   }
   if (result.pieces.empty()) return result;
-  const glm::dvec2 middle = low / 2.0 + high / 2.0;
+  const glm::dvec2 middle = result.middle = low / 2.0 + high / 2.0;
   const double diameter = result.diameter = length_of(high - low);
   result.remoteness = std::max({-low.x, -low.y, high.x, high.y}) / diameter;
   for (Piece& piece : result.pieces) {

@@ -34,6 +34,7 @@ struct Piece {
 
 struct Pieces {
   std::vector<Piece> pieces;  // the scene moved to its centre and divided by its diameter
+  glm::dvec2 middle{};        // of the scene, in metres
   double diameter = 0;        // of the scene, in metres
   double remoteness = 0;      // largest coordinate, in diameters
 };

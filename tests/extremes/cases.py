@@ -1,7 +1,7 @@
 """Scenes at the edge of what numbers can hold, each with the value that its one bin must have.
 
 Expected values are made with 60 digits: in the plane by crossed strings, between mirrors by images, in furnaces by
-their series, in space by the form factor of parallel squares.
+their series, in space by the form factor of parallel squares.  Meshes are files of meshes.py.
 """
 from decimal import Decimal, getcontext
 
@@ -113,6 +113,32 @@ def ball_in_ball(size, reflectance=0.5, max_vertices=8):
     return made, 1 - reflectance ** (max_vertices - 1)
 
 
+def mesh(file, **members):
+    return {"type": "mesh", "file": file, **members}
+
+
+def below_needles():
+    """The squares, with a lamp that is a mesh."""
+    made, expected = squares()
+    made["shapes"][0] = mesh("lamp-of-needles.ply", **light())
+    return made, expected
+
+
+def room(file, camera=(0.4, 0.3, 0.2), fov=60, reflectance=0.5, max_vertices=8):
+    """As ball_in_ball, in the unit cube: what leaks through its triangles is missing."""
+    made = scene([mesh(file, material="wall", **light(1 - reflectance))],
+                 {"wall": {"type": "diffuse", "reflectance": reflectance}}, max_vertices, 3)
+    made["camera"] = {"type": "perspective", "position": camera, "target": [0.6, 0.7, 0.9], "fov_deg": fov,
+                      "resolution": [1, 1]}
+    return made, 1 - reflectance ** (max_vertices - 1)
+
+
+def lamp_twice():
+    made, expected = squares()
+    made["shapes"].append(made["shapes"][0])
+    return made, expected
+
+
 def nothing_to_see():
     lamp, sensor = plates()
     made, _ = lamp_above(lamp[::-1], sensor)
@@ -157,4 +183,11 @@ CASES = {
     "a ball × 10⁹": ball_in_ball(1e9),
     "a ball × 10⁵⁰": ball_in_ball(1e50),
     "a ball × 10⁻⁵⁰": ball_in_ball(1e-50),
+    "a square lamp that is there twice": lamp_twice(),
+    "a square lamp of needles 10⁻⁹ wide": below_needles(),
+    "a room of needles 10⁻⁹ wide": room("needles.ply"),
+    "a room of 1 002 252 triangles": room("million.ply"),
+    "a room, the camera on its wall": room("needles.ply", camera=(0.4, 0.3, 0)),
+    "a room, the camera in its corner": room("needles.ply", camera=(0, 0, 0)),
+    "a room, a pixel of 10⁻⁹": room("needles.ply", fov=1e-7),
 }

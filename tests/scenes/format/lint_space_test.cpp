@@ -171,5 +171,49 @@ TEST_F(LintOfMeshes, BallsAreComparedToo) {
   EXPECT_EQ(found[0].pointer, "/shapes/4");
 }
 
+// ---- cameras
+
+std::string fault_of_camera(const std::string& shape, const std::string& position) {
+  const std::string text = R"({ "format": "wanderlight-scene/1", "dimension": 3, "materials": {},
+    "shapes": [ { "type": "sphere", "center": [0, 8, 0], "radius": 1, "light": { "radiance": 1 } },
+      )" + shape + R"( ],
+    "camera": { "type": "perspective", "position": )" +
+                           position +
+                           R"(, "target": [0.1, 5, 0.2], "fov_deg": 40, "resolution": [2, 2] } })";
+  try {
+    parse(text);
+  } catch (const SceneFileError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(LintOfCameras, OneThatLiesOnASurfaceIsRefused) {
+  const std::string sheet =
+      R"({ "type": "parallelogram", "origin": [0, 0, 0], "edges": [[0, 0, 3], [3, 0, 0]] })";
+  const std::string triangle =
+      R"({ "type": "triangle", "points": [[0, 0, 0], [0, 0, 3], [3, 0, 0]] })";
+  const std::string ball = R"({ "type": "sphere", "center": [0, 0, 0], "radius": 0.7 })";
+  for (const auto& [shape, position] :
+       std::initializer_list<std::pair<std::string, std::string>>{{sheet, "[1, 0, 2]"},
+                                                                  {sheet, "[0, 0, 0]"},
+                                                                  {sheet, "[3, 0, 1.5]"},
+                                                                  {triangle, "[1, 0, 1]"},
+                                                                  {triangle, "[1.5, 0, 1.5]"},
+                                                                  {ball, "[0, 0.7, 0]"}}) {
+    const std::string what = fault_of_camera(shape, position);
+    EXPECT_NE(what.find(":4:15: /camera: the camera lies on /shapes/1 at no distance"),
+              std::string::npos)
+        << shape << position << what;
+  }
+  for (const auto& [shape, position] :
+       std::initializer_list<std::pair<std::string, std::string>>{{sheet, "[1, 1e-9, 2]"},
+                                                                  {sheet, "[3.001, 0, 1]"},
+                                                                  {triangle, "[1.6, 0, 1.5]"},
+                                                                  {ball, "[0, 0.701, 0]"},
+                                                                  {ball, "[0, 0.3, 0]"}})
+    EXPECT_EQ(fault_of_camera(shape, position), "") << shape << position;
+}
+
 }  // namespace
 }  // namespace wander
