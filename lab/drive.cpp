@@ -4,6 +4,7 @@
 #include <cereal/archives/binary.hpp>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <sstream>
 #include <stdexcept>
 #include <streambuf>
@@ -299,12 +300,27 @@ std::string state_of(const LiveRun& run) {
   return std::move(bytes).str();
 }
 
+namespace {
+
+// For what a whole state becomes in memory: a few times its own size.
+bool is_room_for(std::size_t bytes) {
+  constexpr std::size_t times = 16;
+  void* room = ::operator new(times* bytes, std::nothrow);
+  ::operator delete(room);
+  return room != nullptr;
+}
+
+}  // namespace
+
 void restore(LiveRun& run, const std::string& state) {
   Bytes buffer(state);
   std::istream bytes(&buffer);
   cereal::BinaryInputArchive archive(bytes);
   try {
     run.load(archive);
+  } catch (const std::bad_alloc&) {
+    if (!is_room_for(state.size())) throw;
+    throw std::runtime_error("it promises more than it holds");
   } catch (const std::exception&) {  // whose words are those of a library
     throw std::runtime_error("it ends too early, or promises more than it holds");
   }

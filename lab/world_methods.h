@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -101,6 +102,8 @@ class WorldMethods {
 inline void load(LiveRun& run, const std::string& state, std::string_view remedy) {
   try {
     if (!state.empty()) restore(run, state);
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& problem) {
     throw CommandFailure(
         ExitCode::invalid_input,

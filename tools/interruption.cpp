@@ -1,12 +1,8 @@
 #include "tools/interruption.h"
 
-#include <unistd.h>
-
 #include <csignal>
 #include <cstdint>
 #include <ctime>
-
-#include "lab/exit_code.h"
 
 namespace wander {
 
@@ -28,8 +24,6 @@ std::int64_t milliseconds() {
   return std::int64_t{now.tv_sec} * 1000 + now.tv_nsec / 1'000'000;
 }
 
-extern "C" void leave(int) { _exit(static_cast<int>(ExitCode::interrupted)); }
-
 extern "C" void note_interruption(int signal) {
   if (!interrupted.exchange(true)) {
     first_signal.store(milliseconds());
@@ -42,8 +36,8 @@ extern "C" void note_interruption(int signal) {
 }  // namespace
 
 void leave_at_interruption() {
-  std::signal(SIGINT, leave);
-  std::signal(SIGTERM, leave);
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
 }
 
 const std::atomic<bool>& watch_for_interruption() {

@@ -6,7 +6,7 @@
 
 namespace wander {
 
-// From now on they end the program, with the exit code of an interruption.
+// From now on they end the program, also where a shell has it ignore them, as it does in the background.
 void leave_at_interruption();
 
 // From now on they are noted: installs the handlers and returns the flag that the first signal sets.

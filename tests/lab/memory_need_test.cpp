@@ -45,6 +45,26 @@ TEST_F(MemoryOfRuns, ThatTheTrajectoryFileHasNotIsSaid) {
   EXPECT_GT(refused, 0);
 }
 
+// A state that is whole is not called damaged for want of memory.
+TEST_F(MemoryOfRuns, ThatTheStateOfARunHasNotIsSaid) {
+  for (const char* seed : {"1", "2"})
+    ASSERT_EQ(wander(std::string("render box.json -m mlt -b 20k -q -s ") + seed + " -o run-" + seed)
+                  .exit_code,
+              0);
+  int refused = 0;
+  for (int kilobytes = 100'000; kilobytes < 180'000; kilobytes += 2'000) {
+    const std::string limited = "ulimit -v " + std::to_string(kilobytes) + "; \"$WANDER\" ";
+    if (shell(limited + "--version").exit_code != 0) continue;  // its libraries need more
+    const Outcome outcome = shell(limited + "merge run-1 run-2 -t 1 -q -o both --force");
+    EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1)
+        << outcome.exit_code << outcome.err;
+    if (outcome.exit_code == 0) continue;
+    EXPECT_HAS(outcome.err, "memory");
+    ++refused;
+  }
+  EXPECT_GT(refused, 0);
+}
+
 TEST_F(MemoryOfRuns, LetsNoMoreThreadsStartThanThereIsRoomFor) {
   const Outcome few =
       shell("ulimit -v 900000; \"$WANDER\" render box.json -m bdpt -b 20k -t 500 -q --json -o few");
