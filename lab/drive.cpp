@@ -305,7 +305,7 @@ namespace {
 // For what a whole state becomes in memory: a few times its own size.
 bool is_room_for(std::size_t bytes) {
   constexpr std::size_t times = 16;
-  void* room = ::operator new(times* bytes, std::nothrow);
+  void* room = ::operator new(bytes* times, std::nothrow);
   ::operator delete(room);
   return room != nullptr;
 }

@@ -70,14 +70,13 @@ class OfRoles {
         role.faces.push_back({face, extent_of(face), i});
         role.extent.include(role.faces.back().extent);
       });
+      all_roles_.include(role.extent);
     }
   }
 
   std::vector<Overlap> found() && {
     for (std::size_t i = 0; i < scene_.shapes.size(); ++i)
-      for_each_face(scene_.shapes[i].kind, [&](const Face& face) {
-        for (const Role& role : roles_) compare(face, i, role);
-      });
+      for_each_face(scene_.shapes[i].kind, [&](const Face& face) { compare(face, i); });
     return std::move(found_);
   }
 
@@ -88,11 +87,17 @@ class OfRoles {
     Extent extent{};
   };
 
-  // A pair of lights is met from both sides, and said once.
-  void compare(const Face& face, std::size_t shape, const Role& role) {
-    if (role.shape == shape || (has_role(scene_.shapes[shape]) && shape < role.shape)) return;
+  void compare(const Face& face, std::size_t shape) {
     const Extent extent = extent_of(face);
-    if (!extent.meets(role.extent, rounding_)) return;
+    if (!extent.meets(all_roles_, rounding_)) return;
+    for (const Role& role : roles_) {
+      // A pair of lights is met from both sides, and said once.
+      if (role.shape == shape || (has_role(scene_.shapes[shape]) && shape < role.shape)) continue;
+      if (++pairs_ > most_pairs) return;
+      if (extent.meets(role.extent, rounding_)) compare(face, extent, shape, role);
+    }
+  }
+  void compare(const Face& face, const Extent& extent, std::size_t shape, const Role& role) {
     for (const PlacedFace& own : role.faces) {
       if (++pairs_ > most_pairs) return;
       if (extent.meets(own.extent, rounding_) && overlap(own.face, face, rounding_))
@@ -103,6 +108,7 @@ class OfRoles {
   const description::Scene& scene_;
   double rounding_ = 0;
   std::vector<Role> roles_;
+  Extent all_roles_;
   std::size_t pairs_ = 0;
   std::vector<Overlap> found_;
 };
