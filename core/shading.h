@@ -25,7 +25,7 @@
 
 namespace wander {
 
-// About a normal of the surface at that place.
+// About a normal of the surface at that place.  (The poles of a sphere have no edge, and do not turn.)
 template <World W>
 Frame<W::dimension, typename W::Length> frame_at(const Scene<W>& scene, const Place<W>& place,
                                                  typename W::Direction normal) {

@@ -302,9 +302,9 @@ std::string state_of(const LiveRun& run) {
 
 namespace {
 
-// For what a whole state becomes in memory: a few times its own size.
+// For what a whole state becomes in memory: about its own size.
 bool is_room_for(std::size_t bytes) {
-  constexpr std::size_t times = 16;
+  constexpr std::size_t times = 4;
   void* room = ::operator new(bytes* times, std::nothrow);
   ::operator delete(room);
   return room != nullptr;

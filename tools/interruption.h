@@ -1,5 +1,5 @@
-// Ctrl-C and SIGTERM: the first asks the run to finish early and save, a later one kills.  As long as
-// there is nothing to save the first ends the program.
+// Ctrl-C and SIGTERM: once a verb watches, the first asks the run to finish early and save, a later one
+// kills.  Before that the first ends the program.
 #pragma once
 
 #include <atomic>

@@ -16,7 +16,6 @@
 #include "tools/console.h"
 #include "tools/examination.h"
 #include "tools/failure_report.h"
-#include "tools/interruption.h"
 #include "tools/verb.h"
 
 namespace {
@@ -51,7 +50,6 @@ int main(int count, char** arguments) {
   // Writing to a closed pipe or beyond a file size limit is an error to report, not a death.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  leave_at_interruption();
   open_log(Verbosity::normal);
   Global global;
   // Known before the command line is parsed, for parsing itself may fail.

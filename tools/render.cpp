@@ -178,6 +178,7 @@ void add_render(CLI::App& app, Global& global) {
   add_global_options(verb, global);
   verb.footer("\n" + methods_help() + render_details);
   examine_with(verb, global, [options, task, verb, &global](Examination& examination) {
+    leave_at_interruption();
     if (verb.count("--seed") > 0) options->seed = global.seed;
     options->names_method = verb.count("--method") > 0;
     *task = examine_render(*options, global, examination);

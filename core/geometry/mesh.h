@@ -43,9 +43,12 @@ class Mesh {
   Point shading_normal(Point p, std::int32_t primitive) const;
   // Those of the corners as they are mixed there.
   std::array<double, 2> texture_coordinates(Point p, std::int32_t primitive) const;
+  // Of two the one that runs farther across z, for corners may have normals along z anywhere.
   Point edge(std::int32_t primitive) const {
     const auto [a, b, c] = corners(primitive);
-    return b - a;
+    const Point one = b - a, other = c - a;
+    const auto across = [](const Point& e) { return e.x * e.x + e.y * e.y; };
+    return across(one) >= across(other) ? one : other;
   }
   Box<W> bounds() const;
   Box<W> bounds(std::int32_t primitive) const {

@@ -16,7 +16,9 @@ namespace {
 
 using Point = glm::dvec3;
 
-constexpr std::size_t most_pairs = 10'000'000, most_named = 1000, most_passive_faces = 50'000;
+constexpr std::size_t most_pairs = 10'000'000, most_named = 100;
+// Of faces that are neither lights nor sensors: in a sweep, most are far apart.
+constexpr std::size_t most_passive_faces = 50'000, most_passive_pairs = 40'000'000;
 
 bool overlap(const Sheet& a, const Sheet& b, double rounding) {
   const Point normal = b.normal();
@@ -37,8 +39,12 @@ struct PlacedFace {
   Face face;
   Extent extent;
   std::size_t shape = 0;
-  bool is_alone = false;  // the only face of its shape
 };
+
+bool has_area(const Face& face) {
+  const Sheet* sheet = std::get_if<Sheet>(&face);
+  return sheet == nullptr || sheet->has_area();
+}
 
 bool has_role(const description::Shape& shape) { return shape.light || shape.sensor; }
 
@@ -67,6 +73,7 @@ class OfRoles {
       if (!has_role(scene.shapes[i])) continue;
       Role& role = roles_.emplace_back(Role{.shape = i});
       for_each_face(scene.shapes[i].kind, [&](const Face& face) {
+        if (!has_area(face)) return;
         role.faces.push_back({face, extent_of(face), i});
         role.extent.include(role.faces.back().extent);
       });
@@ -88,6 +95,7 @@ class OfRoles {
   };
 
   void compare(const Face& face, std::size_t shape) {
+    if (!has_area(face)) return;
     const Extent extent = extent_of(face);
     if (!extent.meets(all_roles_, rounding_)) return;
     for (const Role& role : roles_) {
@@ -113,61 +121,121 @@ class OfRoles {
   std::vector<Overlap> found_;
 };
 
+// A body is a shape that is not flat.
 class OfPassive {
  public:
   OfPassive(const description::Scene& scene, double rounding) : scene_(scene), rounding_(rounding) {
-    for (std::size_t i = 0; i < scene.shapes.size() && faces_.size() <= most_passive_faces; ++i)
-      if (!has_role(scene.shapes[i])) add(i);
+    for (const description::Shape& shape : scene.shapes) {
+      Extent& extent = extents_.emplace_back();
+      for_each_face(shape.kind, [&](const Face& face) { extent.include(extent_of(face)); });
+      all_.include(extent);
+    }
+    if (scene.camera) all_.include(position_of(*scene.camera));
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+      is_dark_within_.push_back(!lets_light_through(scene, scene.shapes[i]) &&
+                                !holds_an_end(extents_[i]));
   }
 
-  // A sweep along an axis: what begins before a face ends is compared with it.
   std::vector<Overlap> found() && {
-    if (faces_.size() > most_passive_faces) return {};
-    const int axis = longest_axis();
-    std::ranges::sort(faces_, {}, [axis](const PlacedFace& face) { return face.extent.low[axis]; });
-    std::size_t pairs = 0;
-    for (auto a = faces_.begin(); a != faces_.end(); ++a)
-      for (auto b = a + 1; b != faces_.end(); ++b) {
-        if (b->extent.low[axis] > a->extent.high[axis] + rounding_) break;
-        if (++pairs > most_pairs) return std::move(found_);
-        if (is_doubtful(*a, *b))
-          note(found_, {std::max(a->shape, b->shape), std::min(a->shape, b->shape)});
-      }
+    std::vector<PlacedFace> sheets, all;
+    std::size_t faces = 0;
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
+      if (has_role(scene_.shapes[i])) continue;
+      const std::vector<PlacedFace> own = faces_of(i);
+      faces += own.size();
+      if (own.size() == 1) sheets.push_back(own.front());
+      if (faces <= most_passive_faces) all.insert(all.end(), own.begin(), own.end());
+    }
+    sweep(std::move(sheets));
+    if (faces <= most_passive_faces) sweep(std::move(all));
     return std::move(found_);
   }
 
  private:
-  void add(std::size_t shape) {
-    const std::size_t before = faces_.size();
+  static Point position_of(const description::Camera& camera) {
+    return {camera.position[0], camera.position[1], camera.position[2]};
+  }
+  // As far as one more than is looked at.
+  std::vector<PlacedFace> faces_of(std::size_t shape) const {
+    std::vector<PlacedFace> faces;
     for_each_face(scene_.shapes[shape].kind, [&](const Face& face) {
-      const Sheet* sheet = std::get_if<Sheet>(&face);
-      if ((sheet == nullptr || sheet->has_area()) && faces_.size() <= most_passive_faces)
-        faces_.push_back({face, extent_of(face), shape});
+      if (has_area(face) && faces.size() <= most_passive_faces)
+        faces.push_back({face, extent_of(face), shape});
     });
-    if (faces_.size() == before + 1) faces_.back().is_alone = true;
+    return faces;
   }
-  int longest_axis() const {
-    Extent all;
-    for (const PlacedFace& face : faces_) all.include(face.extent);
-    const Point size = all.high - all.low;
-    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+
+  // Along an axis: what begins before a face ends is compared with it.
+  void sweep(std::vector<PlacedFace> faces) {
+    const Point size = all_.high - all_.low;
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    std::ranges::sort(faces, {}, [axis](const PlacedFace& face) { return face.extent.low[axis]; });
+    std::size_t pairs = 0;
+    for (auto a = faces.begin(); a != faces.end(); ++a)
+      for (auto b = a + 1; b != faces.end(); ++b) {
+        if (b->extent.low[axis] > a->extent.high[axis] + rounding_) break;
+        if (++pairs > most_passive_pairs || found_.size() == most_named) return;
+        if (is_doubtful(*a, *b))
+          note(found_, {std::max(a->shape, b->shape), std::min(a->shape, b->shape)});
+      }
   }
+
   bool is_doubtful(const PlacedFace& a, const PlacedFace& b) const {
-    return a.extent.meets(b.extent, rounding_) && overlap(a.face, b.face, rounding_) &&
-           light_may_reach_both(a, b);
-  }
-  // Not where a body of which nothing is seen through touches another, as a box does its floor.
-  bool light_may_reach_both(const PlacedFace& a, const PlacedFace& b) const {
-    if ((a.is_alone && b.is_alone) || lets_light_through(scene_, scene_.shapes[a.shape]) ||
-        lets_light_through(scene_, scene_.shapes[b.shape]))
-      return true;
+    if (!a.extent.meets(b.extent, rounding_) || !overlap(a.face, b.face, rounding_)) return false;
     const Sheet *one = std::get_if<Sheet>(&a.face), *other = std::get_if<Sheet>(&b.face);
-    return one == nullptr || other == nullptr || glm::dot(one->normal(), other->normal()) > 0;
+    if (one == nullptr || other == nullptr) return true;
+    // Of one mesh nobody knows which of its faces are a body.
+    if (a.shape == b.shape)
+      return glm::dot(one->normal(), other->normal()) > 0 || have_same_corners(*one, *other);
+    const Point normal = one->normal();
+    return is_seen_from(normal, *one, a.shape, b.shape) ||
+           is_seen_from(-normal, *one, a.shape, b.shape);
+  }
+  bool have_same_corners(const Sheet& a, const Sheet& b) const {
+    const auto corners = [](const Sheet& s) {
+      return std::array{s.corner, s.corner + s.edge0, s.corner + s.edge1};
+    };
+    const auto others = corners(b);
+    return std::ranges::all_of(corners(a), [&](Point p) {
+      return std::ranges::any_of(others, [&](Point q) { return glm::length(p - q) <= rounding_; });
+    });
+  }
+
+  // From the side of the plane to which the normal points: something is there, and neither shape
+  // covers the other.
+  bool is_seen_from(Point normal, const Sheet& plane, std::size_t a, std::size_t b) const {
+    return highest(all_, normal, plane) > rounding_ && !covers(a, normal, plane) &&
+           !covers(b, normal, plane);
+  }
+  // A body on that side of which nothing is seen through or from within, as a box on a floor.
+  bool covers(std::size_t shape, Point normal, const Sheet& plane) const {
+    const Extent& own = extents_[shape];
+    return is_dark_within_[shape] && highest(own, normal, plane) > rounding_ &&
+           highest(own, -normal, plane) <= rounding_;
+  }
+  bool holds_an_end(const Extent& body) const {
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i)
+      if (has_role(scene_.shapes[i]) && extents_[i].meets(body, 0)) return true;
+    if (!scene_.camera) return false;
+    Extent camera;
+    camera.include(position_of(*scene_.camera));
+    return camera.meets(body, 0);
+  }
+  static double highest(const Extent& extent, Point normal, const Sheet& plane) {
+    double most = -Extent::infinity;
+    for (int k = 0; k < 8; ++k) {
+      const Point corner(k & 1 ? extent.high.x : extent.low.x, k & 2 ? extent.high.y : extent.low.y,
+                         k & 4 ? extent.high.z : extent.low.z);
+      most = std::max(most, glm::dot(corner - plane.corner, normal));
+    }
+    return most;
   }
 
   const description::Scene& scene_;
   double rounding_ = 0;
-  std::vector<PlacedFace> faces_;
+  std::vector<Extent> extents_;       // of the shapes
+  std::vector<bool> is_dark_within_;  // likewise, as bodies
+  Extent all_;                        // of them and the camera
   std::vector<Overlap> found_;
 };
 

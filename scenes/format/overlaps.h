@@ -18,10 +18,10 @@ struct Overlaps {
 };
 
 // Points nearer than `rounding` are the same.  Of lights and sensors every face is compared with every
-// face of other shapes, and of the rest all faces with each other, where there are no more than fifty
-// thousand: as far as ten million pairs of either kind.  Faces of meshes are left out where the two look
-// at each other and let no light through, as the floor and the bottom of a box.  Each pair of shapes is
-// named once, and no more than a thousand.
+// face of other shapes, as far as ten million pairs; of the rest those of one face with each other,
+// and, where there are no more than fifty thousand, all faces: as far as forty million pairs that a
+// sweep finds.  Pairs are left out that light does not reach, as the floor and the bottom of a box.
+// Each pair of shapes is named once, and no more than a hundred.
 Overlaps overlaps_of(const description::Scene& scene, double rounding);
 
 }  // namespace wander

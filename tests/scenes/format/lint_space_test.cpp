@@ -112,7 +112,9 @@ TEST(LintOfSpace, LooksAtEveryFaceOfAMeshBesideALightOrSensor) {
 
 // ---- meshes that are neither
 
+using test::ball_mesh;
 using test::box_mesh;
+using test::Generator;
 
 class LintOfMeshes : public testing::Test {
  protected:
@@ -127,36 +129,85 @@ class LintOfMeshes : public testing::Test {
   description::Scene scene_ = parse(space_only("[" + a_lamp + "," + a_screen + "]")).scene;
 };
 
-TEST_F(LintOfMeshes, TrianglesThatLookTheSameWayAreDoubted) {
+// Two boxes whose tops are one, below the lamp.
+TEST_F(LintOfMeshes, FacesThatLightMayReachAreDoubted) {
   add(box_mesh({5, 1, 5}, {6, 2, 6}));
   add(box_mesh({8, 1, 5}, {9, 2, 6}));
   EXPECT_TRUE(doubts().empty());
-  add(box_mesh({5.25, 1.5, 5.25}, {5.75, 2, 5.75}));  // only its top lies on the first one's
+  add(box_mesh({5.25, 1.5, 5.25}, {5.75, 2, 5.75}));
   const std::vector<Fault> found = doubts();
   ASSERT_EQ(found.size(), 1u);
   EXPECT_EQ(found[0].pointer, "/shapes/4");
   EXPECT_NE(found[0].what.find("this shape lies on /shapes/2"), std::string::npos);
 }
 
+Triangles turned_inside_out(Triangles mesh) {
+  for (auto& corners : mesh.corners) std::swap(corners[0], corners[1]);
+  return mesh;
+}
+
+// Which way its faces look says nothing: opaque surfaces reflect on both sides.
 TEST_F(LintOfMeshes, ABoxOnAFloorIsNotUnlessItIsOfGlass) {
   scene_.materials = {{"glass", description::Dielectric{}}};
-  add(box_mesh({0, 1, 5}, {9, 2, 9}));
-  add(box_mesh({5, 2, 5.5}, {6, 3, 6}));
+  for (const bool is_inside_out : {false, true}) {
+    scene_.shapes.resize(2);
+    const auto box = [&](Spaceland::Point low, Spaceland::Point high) {
+      const Triangles mesh = box_mesh(low, high);
+      return is_inside_out ? turned_inside_out(mesh) : mesh;
+    };
+    add(box({0, 1, 5}, {9, 2, 9}));
+    add(box({5, 2, 5.5}, {6, 3, 6}));
+    EXPECT_TRUE(doubts().empty()) << is_inside_out;
+    scene_.shapes.back().material = 0;
+    EXPECT_EQ(doubts().size(), 1u) << is_inside_out;
+  }
+}
+
+// The floor of a room, of which nothing is below; of a table, its underside is seen.
+TEST_F(LintOfMeshes, ABoxInARoomIsNotAndOneOnATableTopIs) {
+  add(box_mesh({-9, -1, -9}, {9, 9, 9}));
+  add(box_mesh({5, -1, 5.5}, {6, 3, 6}));
   EXPECT_TRUE(doubts().empty());
-  scene_.shapes.back().material = 0;
+  scene_.shapes.resize(2);
+  scene_.shapes.emplace_back().kind =
+      description::Parallelogram{{4, 2, 4}, {{{3, 0, 0}, {0, 0, 3}}}};
+  add(box_mesh({5, 2, 5.5}, {6, 3, 6}));
   EXPECT_EQ(doubts().size(), 1u);
 }
 
 TEST_F(LintOfMeshes, WhatIsTwiceInAMeshIsSaidOnce) {
-  Triangles twice = box_mesh({5, 1, 5}, {6, 2, 6});
-  for (std::size_t k = 0; k < 5; ++k) {
-    const auto corners = twice.corners[k];
-    twice.corners.push_back(corners);
+  for (const bool is_turned : {false, true}) {
+    scene_.shapes.resize(2);
+    Triangles twice = box_mesh({5, 1, 5}, {6, 2, 6});
+    for (std::size_t k = 0; k < 5; ++k) {
+      auto corners = twice.corners[k];
+      if (is_turned) std::swap(corners[1], corners[2]);
+      twice.corners.push_back(corners);
+    }
+    add(std::move(twice));
+    const std::vector<Fault> found = doubts();
+    ASSERT_EQ(found.size(), 1u) << is_turned;
+    EXPECT_EQ(found[0].what.find("triangles of this mesh lie on each other"), 0u);
   }
-  add(std::move(twice));
-  const std::vector<Fault> found = doubts();
-  ASSERT_EQ(found.size(), 1u);
-  EXPECT_EQ(found[0].what.find("triangles of this mesh lie on each other"), 0u);
+}
+
+// Beside however large a mesh.
+TEST_F(LintOfMeshes, ShapesOfOneFaceAreComparedWithEachOtherFirst) {
+  Generator g(1);
+  for (int k = 0; k < 2; ++k)
+    scene_.shapes.emplace_back().kind =
+        description::Parallelogram{{4, 2, 4}, {{{3, 0, 0}, {0, 0, 3}}}};
+  add(ball_mesh(g, 120, 0, {6, 6, 6}, 1));
+  EXPECT_EQ(doubts().size(), 1u);
+}
+
+TEST_F(LintOfMeshes, ATriangleWithoutAreaLiesOnNoLight) {
+  Triangles mesh = box_mesh({5, 1, 5}, {6, 2, 6});
+  const auto n = static_cast<std::int32_t>(mesh.points.size());
+  mesh.points.insert(mesh.points.end(), {{0.1, 0, -0.1}, {0.2, 0, -0.1}, {0.3, 0, -0.1}});
+  mesh.corners.push_back({n, n + 1, n + 2});
+  add(std::move(mesh));
+  EXPECT_TRUE(lint(scene_).faults.empty());
 }
 
 TEST_F(LintOfMeshes, BallsAreComparedToo) {

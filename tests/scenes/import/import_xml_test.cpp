@@ -24,7 +24,7 @@ TEST_F(ImportedXml, HasParametersWithDefaults) {
   EXPECT_EQ(first_radius(scene_of("<default name='a' value='1'/><default name='ab' value='2'/>" +
                                   ball("$a.$ab"))),
             "1.2");
-  EXPECT_EQ(first_radius(scene_of("<default name='a' value='1'/>" + ball("$a0"))), "10.0");
+  EXPECT_EQ(first_radius(scene_of("<default name='a' value='1.'/>" + ball("$a5"))), "1.5");
   EXPECT_EQ(first_radius(scene_of("<default name='a' value='1'/><default name='b' value='$a'/>" +
                                   ball("$b"))),
             "1.0");
