@@ -95,7 +95,7 @@ auto Mesh<W>::texture_coordinates(Point p, std::int32_t primitive) const -> std:
   };
   const auto mixed = [&at, of_b = of_b, of_c = of_c](std::size_t axis) {
     const double first = at(0, axis);
-    return first + of_b * (at(1, axis) - first) + of_c * (at(2, axis) - first);
+    return static_cast<double>(first + of_b * (at(1, axis) - first) + of_c * (at(2, axis) - first));
   };
   return {mixed(0), mixed(1)};
 }

@@ -49,7 +49,9 @@ class Parallelogram {
   typename W::Square parameter(Point p, PrimitiveId<W> = {}) const;
   // Along the edges.
   std::array<double, 2> texture_coordinates(Point p, PrimitiveId<W>) const {
-    return {glm::dot(p - origin_, dual0_), glm::dot(p - origin_, dual1_)};
+    const Point from_origin = p - origin_;
+    return {static_cast<double>(glm::dot(from_origin, dual0_)),
+            static_cast<double>(glm::dot(from_origin, dual1_))};
   }
   Length measure() const { return area_; }
   Point edge(PrimitiveId<W>) const { return edge0_; }

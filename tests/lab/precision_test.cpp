@@ -9,6 +9,7 @@
 #include "tests/support/core_scenes.h"
 #include "tests/support/extended_world.h"
 #include "tests/support/path_precision.h"
+#include "tests/support/space_maker.h"
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {
@@ -37,31 +38,58 @@ description::Scene long_paths() {
   return scene;
 }
 
+// In space: a box with a wall of rough metal and a ball of rough glass, seen by its floor or through
+// a thin lens.
+SpaceMaker box_of_roughness(double roughness) {
+  SpaceMaker maker(5);
+  const std::size_t wall = maker.diffuse(SpaceMaker::grey(0.6));
+  const std::size_t metal =
+      maker.material(description::RoughConductor{roughness, SpaceMaker::grey(0.9)});
+  const std::size_t glass = maker.material(description::RoughDielectric{roughness, 1.5, 1});
+  maker.parallelogram({0, 0, 1}, {0, 1, 0.03}, {1, 0.04, 0}, {wall, SpaceMaker::grey(1)});
+  maker.parallelogram({0, 0, 0}, {0, 1, 0.02}, {0.02, 0, 0.95}, {wall});
+  maker.parallelogram({0, 1, 0.02}, {1, 0.05, 0}, {0.02, 0, 0.95}, {metal});
+  maker.sphere({0.5, 0.5, 0.4}, 0.2, {glass});
+  return maker;
+}
+description::Scene rough_box(double roughness) {
+  SpaceMaker maker = box_of_roughness(roughness);
+  const std::size_t wall = maker.diffuse(SpaceMaker::grey(0.6));
+  maker.parallelogram({0, 0, 0}, {1, 0.05, 0}, {0, 1, 0.02}, {wall, {}, {2, 2}});
+  return maker.description();
+}
+description::Scene blurred_box() { return rough_box(0.3); }
+description::Scene sharp_box() { return rough_box(1e-4); }
+description::Scene box_through_a_lens() {
+  SpaceMaker maker = box_of_roughness(0.3);
+  description::Camera camera{{0.8, 0.05, 0.5}, {0.3, 1, 0.4}, {0, 0, 1}, 60, {2, 2}, 0.02, 0.7};
+  return maker.camera(camera).description();
+}
+
 struct Room {
   const char* name;
   description::Scene (*make)();
   double of_float, of_double;  // bounds of the differences from extended precision
   int samples = 400, fewest_vertices = 2;
 };
-const Room rooms[] = {{"Diffuse", diffuse_room, 1e-6, 2e-14},
-                      {"Gap", room_with_gap, 1e-6, 1e-14},
-                      {"MirrorAndGlass", mirror_and_glass, 2e-6, 2e-14},
-                      {"Rough", rough_room, 3e-6, 5e-12},
-                      {"Pinhole", pinhole_room, 1e-6, 1e-14},
-                      {"ThinLens", thin_lens_room, 1e-6, 2e-14},
-                      {"Grazing", grazing, 1e-6, 1e-14},
-                      {"Sharp", sharp, 3e-6, 5e-11},
-                      {"SixtyVertices", long_paths, 5e-6, 3e-14, 2, 55}};
+const Room rooms_of_the_plane[] = {{"Diffuse", diffuse_room, 1e-6, 2e-14},
+                                   {"Gap", room_with_gap, 1e-6, 1e-14},
+                                   {"MirrorAndGlass", mirror_and_glass, 2e-6, 2e-14},
+                                   {"Rough", rough_room, 3e-6, 5e-12},
+                                   {"Pinhole", pinhole_room, 1e-6, 1e-14},
+                                   {"ThinLens", thin_lens_room, 1e-6, 2e-14},
+                                   {"Grazing", grazing, 1e-6, 1e-14},
+                                   {"Sharp", sharp, 3e-6, 5e-11},
+                                   {"SixtyVertices", long_paths, 5e-6, 3e-14, 2, 55}};
+const Room rooms_of_space[] = {{"Rough", blurred_box, 3e-6, 5e-12},
+                               {"Sharp", sharp_box, 3e-6, 5e-11},
+                               {"ThinLens", box_through_a_lens, 3e-6, 5e-12}};
 
-class PathsOfARoom : public ::testing::TestWithParam<Room> {};
-INSTANTIATE_TEST_SUITE_P(Rooms, PathsOfARoom, ::testing::ValuesIn(rooms),
-                         [](const auto& test) { return std::string(test.param.name); });
-
-TEST_P(PathsOfARoom, AreMeasuredAsExactlyAsTheirNumbersAllow) {
-  const Room& room = GetParam();
-  PathComparison<FlatlandSingle, FlatlandExtended> single(room.make());
-  PathComparison<Flatland, FlatlandExtended> twice(room.make());
-  for_paths(room.make(), room.samples, room.fewest_vertices, [&](const Path<Flatland>& x) {
+template <World Single, World Double, World Extended>
+void expect_as_exact_as_numbers_allow(const Room& room) {
+  PathComparison<Single, Extended> single(room.make());
+  PathComparison<Double, Extended> twice(room.make());
+  for_paths<Double>(room.make(), room.samples, room.fewest_vertices, [&](const Path<Double>& x) {
     single.add(x);
     twice.add(x);
   });
@@ -79,6 +107,20 @@ TEST_P(PathsOfARoom, AreMeasuredAsExactlyAsTheirNumbersAllow) {
   EXPECT_GE(largest(f.contribution), 1e-8) << "that was no float: " << show(f);  // control
 }
 
+std::string room_name(const ::testing::TestParamInfo<Room>& test) { return test.param.name; }
+
+class PathsOfARoom : public ::testing::TestWithParam<Room> {};
+INSTANTIATE_TEST_SUITE_P(Rooms, PathsOfARoom, ::testing::ValuesIn(rooms_of_the_plane), room_name);
+TEST_P(PathsOfARoom, AreMeasuredAsExactlyAsTheirNumbersAllow) {
+  expect_as_exact_as_numbers_allow<FlatlandSingle, Flatland, FlatlandExtended>(GetParam());
+}
+
+class PathsInSpace : public ::testing::TestWithParam<Room> {};
+INSTANTIATE_TEST_SUITE_P(Rooms, PathsInSpace, ::testing::ValuesIn(rooms_of_space), room_name);
+TEST_P(PathsInSpace, AreMeasuredAsExactlyAsTheirNumbersAllow) {
+  expect_as_exact_as_numbers_allow<SpacelandSingle, Spaceland, SpacelandExtended>(GetParam());
+}
+
 // A scene multiplied by a power of two: float has no other mantissas, either.
 TEST(PathsInFloat, AreTheSameToTheLastBitInASceneMultipliedByAPowerOfTwo) {
   for (const auto make : {diffuse_room, rough_room, thin_lens_room}) {
@@ -89,7 +131,7 @@ TEST(PathsInFloat, AreTheSameToTheLastBitInASceneMultipliedByAPowerOfTwo) {
                  large = build_flatland<FlatlandSingle>(scaled(scene, factor));
       Path<FlatlandSingle> a(scene.max_vertices), b(scene.max_vertices);
       Path<Flatland> y(scene.max_vertices);
-      for_paths(scene, 50, 2, [&](const Path<Flatland>& x) {
+      for_paths<Flatland>(scene, 50, 2, [&](const Path<Flatland>& x) {
         y = x;
         for (int i = 0; i < y.size(); ++i) y[i].place.position *= factor;
         transfer(Transport<FlatlandSingle>(*small, Roulette::off), x, a);

@@ -5,5 +5,8 @@ namespace wander {
 
 template std::unique_ptr<const Scene<test::FlatlandExtended>> build_scene(
     const description::Scene&);
+template std::unique_ptr<const Scene<test::SpacelandExtended>> build_scene(
+    const description::Scene&);
+template std::unique_ptr<const Scene<test::SpacelandSingle>> build_scene(const description::Scene&);
 
 }  // namespace wander

@@ -1,19 +1,13 @@
-// Flatland in extended precision: the yardstick that float and double are held against.  It can
-// evaluate paths, but draws none; the program does not know it.
+// The yardstick that float and double are held against: the plane and space in extended precision;
+// and space in float, which the program does not offer.  They can evaluate paths, but draw none.
 #pragma once
 
 #include "core/transport.h"
 
-namespace wander {
+namespace wander::test {
 
-namespace test {
 using FlatlandExtended = Universe<2, long double>;
-}
+using SpacelandExtended = Universe<3, long double>;
+using SpacelandSingle = Universe<3, float>;
 
-// No processor has lanes for its lengths.
-template <>
-struct AcceleratorOf<test::FlatlandExtended, 2> {
-  using Type = Bvh<test::FlatlandExtended>;
-};
-
-}  // namespace wander
+}  // namespace wander::test

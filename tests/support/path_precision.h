@@ -18,13 +18,14 @@
 namespace wander::test {
 
 // A path of double precision at the same points in another world.
-template <World W>
-void transfer(const Transport<W>& space, const Path<Flatland>& x, Path<W>& y) {
+template <World W, World Base>
+void transfer(const Transport<W>& space, const Path<Base>& x, Path<W>& y) {
   y.resize(x.size());
   for (int i = 0; i < x.size(); ++i) {
     y[i].place.position = typename W::Point(x[i].place.position);
     y[i].place.normal = typename W::Direction(x[i].place.normal);
     y[i].place.shape = x[i].place.shape;
+    y[i].place.primitive = x[i].place.primitive;
     y[i].event = x[i].event;
   }
   for (int i = 0; i + 1 < x.size(); ++i) space.connect(y, i);
@@ -63,7 +64,8 @@ class PathComparison {
         in_a_(scene.max_vertices),
         in_b_(scene.max_vertices) {}
 
-  void add(const Path<Flatland>& x) {
+  template <World Base>
+  void add(const Path<Base>& x) {
     transfer(Transport<A>(*a_, Roulette::off), x, in_a_);
     transfer(Transport<B>(*b_, Roulette::off), x, in_b_);
     const Scaled ratio_a = in_a_.contribution / in_a_.intensity;
@@ -92,15 +94,15 @@ class PathComparison {
 };
 
 // Calls f with the paths of bidirectional samples, of so many vertices or more.
-template <class F>
+template <World W, class F>
 void for_paths(const description::Scene& scene, int samples, int fewest_vertices, F&& f) {
-  const auto built = build_scene<Flatland>(scene);
-  PathSampler<Transport<Flatland>> sampler(Transport<Flatland>(*built, Roulette::off),
-                                           all_techniques, Heuristic::balance);
+  const auto built = build_scene<W>(scene);
+  PathSampler<Transport<W>> sampler(Transport<W>(*built, Roulette::off), all_techniques,
+                                    Heuristic::balance);
   Rng random(1, Purpose::test, 70);
   for (int i = 0; i < samples; ++i) {
     random.start(static_cast<std::uint64_t>(i));
-    sampler.sample(random, [&](const Path<Flatland>& x, int, double) {
+    sampler.sample(random, [&](const Path<W>& x, int, double) {
       if (x.size() >= fewest_vertices) f(x);
     });
   }
