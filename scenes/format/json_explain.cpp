@@ -235,8 +235,7 @@ void Walk::visit(const json& unresolved, JsonNode node) {
 
 }  // namespace
 
-Explanation explain(const JsonDocument& document, const char* schema_text) {
-  const json schema = json::parse(schema_text);
+Explanation explain(const JsonDocument& document, const json& schema) {
   return Walk(document, schema).of_document();
 }
 

@@ -18,6 +18,6 @@ struct Explanation {
   // Known keys that unknown ones resemble most: what seems to be missing may be among them.
   std::set<std::string> meant;
 };
-Explanation explain(const JsonDocument& document, const char* schema_text);
+Explanation explain(const JsonDocument& document, const nlohmann::ordered_json& schema);
 
 }  // namespace wander

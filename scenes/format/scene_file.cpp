@@ -53,7 +53,8 @@ std::vector<Fault> located(std::vector<JsonFault> faults, std::string_view text)
 std::vector<JsonFault> faults_in(const JsonDocument& document, std::vector<JsonFault> faults,
                                  const SceneFiles& files, SceneMeshes& meshes,
                                  SceneTextures& textures) {
-  const Explanation explanation = explain(document, scene_schema_text);
+  static const auto schema = nlohmann::ordered_json::parse(scene_schema_text);
+  const Explanation explanation = explain(document, schema);
   faults.insert(faults.end(), explanation.faults.begin(), explanation.faults.end());
   const auto more = check_scene(document, faults, explanation.meant);
   faults.insert(faults.end(), more.begin(), more.end());
