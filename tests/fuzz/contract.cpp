@@ -72,7 +72,7 @@ bool is_of_a_file(const std::exception& problem) {
 
 bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
-std::optional<std::string> fault_of(const std::string& line, const fs::path& folder) {
+std::optional<std::string> fault_of_line(const std::string& line, const fs::path& folder) {
   const std::string beginning = folder.string() + "/";
   if (!line.starts_with(beginning) || line.find(": ") == line.npos ||
       line.find(':') > line.find(' '))
@@ -82,16 +82,25 @@ std::optional<std::string> fault_of(const std::string& line, const fs::path& fol
   return std::nullopt;
 }
 
+// In what a target made of its input: some are sealed, or packed.
+bool is_in_a_file(std::string_view word, const fs::path& folder) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    std::ostringstream bytes;
+    bytes << std::ifstream(entry.path(), std::ios::binary).rdbuf();
+    if (bytes.view().find(word) != std::string_view::npos) return true;
+  }
+  return false;
+}
+
 // Words that the file itself has may be quoted.
-std::optional<std::string> fault_of(const std::string& message, std::string_view bytes,
-                                    const fs::path& folder) {
+std::optional<std::string> fault_of(const std::string& message, const fs::path& folder) {
   for (const std::string_view word : library_words)
-    if (message.find(word) != message.npos && bytes.find(word) == bytes.npos)
+    if (message.find(word) != message.npos && !is_in_a_file(word, folder))
       return fmt::format("it says '{}', as a library does", word);
   if (message.empty()) return "it says nothing";
   std::istringstream lines(message);
   for (std::string line; std::getline(lines, line);)
-    if (const auto fault = fault_of(line, folder)) return fault;
+    if (const auto fault = fault_of_line(line, folder)) return fault;
   return std::nullopt;
 }
 
@@ -106,7 +115,7 @@ std::optional<std::string> breach(const Target& target, std::string_view bytes) 
     if (!is_of_a_file(problem))
       return fmt::format("{}: {} ends the program: {}", target.kind, typeid(problem).name(),
                          message);
-    if (const auto fault = fault_of(message, bytes, folder.path()))
+    if (const auto fault = fault_of(message, folder.path()))
       return fmt::format("{}: {}: {}", target.kind, *fault, message);
   } catch (...) {
     return fmt::format("{}: what it throws is no exception", target.kind);

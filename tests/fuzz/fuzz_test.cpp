@@ -95,6 +95,14 @@ TEST(HostileInputControls, CatchWordsOfALibrary) {
              "as a library does");
 }
 
+TEST(HostileInputControls, MayQuoteWhatTheirFilesSay) {
+  EXPECT_EQ(breach_of([](std::string_view bytes, const fs::path& folder) {
+              write_bytes(folder / "run.json", "its format is Iex" + std::string(bytes));
+              throw RunFileError((folder / "run.json").string() + ": its format is Iex");
+            }),
+            "");
+}
+
 TEST(HostileInputControls, CatchAMessageThatNamesNoFile) {
   EXPECT_HAS(
       breach_of([](std::string_view, const fs::path&) { throw RunFileError("it is broken"); }),
