@@ -117,19 +117,23 @@ const Choice& best_of(std::span<const Choice> choices) {
   return *std::ranges::min_element(choices, {}, &Choice::work);
 }
 
-// Of those that are about as good as the best, the one that leaves least to chains; but no more to samples than what
-// lies below `enough`, if that is about as good, too.
-Pooling safest(std::span<const Choice> choices, double enough) {
-  const double most_work = about_as_good * best_of(choices).work;
-  const auto is_safer = [enough](const Choice& one, const Choice& other) {
+// The one that leaves least to chains, but no more to samples than what lies below `enough`, if there is one.
+const Choice& safest(std::span<const Choice> choices, double enough) {
+  return *std::ranges::min_element(choices, [enough](const Choice& one, const Choice& other) {
     const double c = one.pooling.partition.c, than = other.pooling.partition.c;
     if (c == than) return one.work < other.work;
     return c > enough || than > enough ? c < than : c > than;
-  };
-  const Choice* safest = nullptr;
-  for (const Choice& choice : choices)
-    if (choice.work <= most_work && (!safest || is_safer(choice, *safest))) safest = &choice;
-  return safest ? safest->pooling : best_of(choices).pooling;
+  });
+}
+
+Choice chosen_of(std::span<const Choice> choices, double enough, double worth_a_risk) {
+  const Choice& best = best_of(choices);
+  const Choice& without_risk = safest(choices, enough);
+  if (best.pooling.partition.c <= enough && without_risk.work <= worth_a_risk * best.work)
+    return without_risk;
+  std::vector<Choice> good(choices.begin(), choices.end());
+  std::erase_if(good, [&best](const Choice& one) { return one.work > about_as_good * best.work; });
+  return good.empty() ? best : safest(good, enough);
 }
 
 }  // namespace
@@ -199,7 +203,7 @@ Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost) {
     add_choices(pilot, variance, rho, choices);
   }
   if (choices.empty()) return {.samples_per_step = fewest_samples_per_step, .cost_of_sample = cost};
-  return safest(choices, largest_safe_border * pilot.b());
+  return chosen_of(choices, largest_safe_border * pilot.b(), pilot.worth_a_risk).pooling;
 }
 
 }  // namespace wander

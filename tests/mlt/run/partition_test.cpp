@@ -99,6 +99,31 @@ TEST(Pooling, TakesTheLargestBorderThatIsAboutAsGoodAsTheBest) {
   }
 }
 
+// Of an image all but what is rare is left to samples, unless chains promise more than twice as much.
+TEST(Pooling, OfAnImageLeavesToChainsWhatTheyPromiseTwice) {
+  int safe = 0, risky = 0;
+  for (int count = 5; count <= 1280; count *= 2) {
+    Pilot pilot = pilot_of({{1, 5000}, {400, count}});
+    const Pooling in_the_plane = best_pooling(pilot, bins);
+    std::vector<Pooling> all;
+    for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2)
+      for (const double c : borders_around(pilot.b())) all.push_back({{c}, rho});
+    const auto of = [&](const Pooling& one) { return work(pilot, one); };
+    const Pooling best = std::ranges::min(all, {}, of);
+    std::erase_if(all, [&](const Pooling& one) { return one.partition.c != 1024 * pilot.b(); });
+    const Pooling almost_all = std::ranges::min(all, {}, of);
+    pilot.worth_a_risk = 2;
+    const Pooling of_an_image = best_pooling(pilot, bins);
+    const bool is_safe = of(almost_all) <= 2 * of(best);
+    const Pooling& expected = is_safe ? almost_all : in_the_plane;
+    EXPECT_EQ(of_an_image.partition.c, expected.partition.c) << count;
+    EXPECT_EQ(of_an_image.samples_per_step, expected.samples_per_step) << count;
+    if (of(almost_all) > 1.25 * of(best)) ++(is_safe ? safe : risky);
+  }
+  EXPECT_GE(safe, 1);
+  EXPECT_GE(risky, 1);
+}
+
 // Of a pilot that cannot tell, what samples leave unknown is not known: the best is taken.
 TEST(Pooling, WithGivenSamplesTakesTheLeastWork) {
   for (const Pilot& pilot : {pilot_of({{1, 5000}, {400, 80}}), pilot_of({{1e4, 3}})}) {
