@@ -9,7 +9,7 @@ namespace wander {
 
 class KeyLimit {
  public:
-  static constexpr std::size_t most = 10'000;
+  static constexpr std::size_t most = 4'000;
 
   // For a callback of the parser, at each of its events: false where a key is one too many.
   bool keeps(int depth, nlohmann::ordered_json::parse_event_t event) {
