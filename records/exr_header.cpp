@@ -12,9 +12,23 @@ namespace wander {
 
 namespace {
 
-constexpr std::streamoff beginning = 8;    // the magic number and the version
-constexpr double best_compression = 4096;  // more than deflate reaches
+constexpr double best_compression = 1040;  // more than deflate reaches
 constexpr std::size_t longest_name = 255;  // of an attribute or its type
+
+// Bits of the version: tiles, data that are no pixels, several parts.
+constexpr std::int32_t other_kinds = 0x200 | 0x800 | 0x1000;
+
+// By the number of a compression (OpenEXR File Layout): so many lines are packed together, and memory is
+// taken for as many, be the picture ever so low.
+constexpr std::array<double, 10> lines_together{1, 1, 1, 16, 32, 16, 32, 32, 32, 256};
+constexpr double usual_lines_together = 16;  // of films of this program
+
+// What a header says of its pixels.
+struct Promise {
+  double width = 0, height = 0;
+  double bytes = 0;  // of a pixel
+  double lines = 1;  // that are packed together
+};
 
 [[noreturn]] void refuse() { throw std::runtime_error("its header is damaged or cut short"); }
 
@@ -68,9 +82,16 @@ constexpr std::array fixed_types{FixedType{"box2f", 16},
                                  FixedType{"v3f", 12},
                                  FixedType{"v3i", 12}};
 
-// Names with 16 bytes each, up to an empty one.
-void pass_over_channels(std::ifstream& file) {
-  while (!name_in(file).empty()) file.seekg(16, std::ios::cur);
+// Names with the type of their numbers and 12 bytes more each, up to an empty one.  Returns the bytes of a
+// pixel.
+double bytes_of_channels(std::ifstream& file) {
+  constexpr std::int32_t half = 1;
+  double bytes = 0;
+  while (!name_in(file).empty()) {
+    bytes += integer_in(file) == half ? 2 : 4;
+    file.seekg(12, std::ios::cur);
+  }
+  return bytes;
 }
 
 // Each with its length before it.
@@ -95,7 +116,7 @@ void pass_over(std::ifstream& file, std::string_view type, std::int32_t size) {
   const auto fixed = std::ranges::find(fixed_types, type, &FixedType::name);
   if (fixed != fixed_types.end() && fixed->size != size) refuse();
   if (type == "chlist")
-    pass_over_channels(file);
+    bytes_of_channels(file);
   else if (type == "stringvector")
     pass_over_strings(file, end);
   else if (type == "preview")
@@ -107,12 +128,23 @@ void pass_over(std::ifstream& file, std::string_view type, std::int32_t size) {
   if (file.tellg() != end) refuse();
 }
 
-// xMin, yMin, xMax, yMax
-void require_plausible_window(std::ifstream& file, double file_bytes) {
+void read_window(std::ifstream& file, Promise& promise) {
   const std::int32_t left = integer_in(file), top = integer_in(file);
-  const double width = double(integer_in(file)) - left + 1,
-               height = double(integer_in(file)) - top + 1;
-  if (!(width > 0 && height > 0 && width * height <= best_compression * file_bytes))
+  promise.width = double(integer_in(file)) - left + 1;
+  promise.height = double(integer_in(file)) - top + 1;
+}
+
+void read_compression(std::ifstream& file, Promise& promise) {
+  const int number = file.get();
+  if (number < 0 || static_cast<std::size_t>(number) >= lines_together.size()) refuse();
+  promise.lines = lines_together[static_cast<std::size_t>(number)];
+}
+
+// The pixels, and what the library takes to unpack them.
+void require_plausible(const Promise& promise, double file_bytes) {
+  const double line = promise.width * promise.bytes, most = best_compression * file_bytes;
+  if (!(promise.width > 0 && promise.height > 0 && line * promise.height <= most &&
+        line * promise.lines <= usual_lines_together * most))
     throw std::runtime_error("its header promises more than the file holds");
 }
 
@@ -121,17 +153,22 @@ void require_plausible_window(std::ifstream& file, double file_bytes) {
 void require_plausible_header(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   const auto bytes = static_cast<std::streamoff>(std::filesystem::file_size(path));
-  file.seekg(beginning);
+  integer_in(file);  // the magic number
+  if ((integer_in(file) & other_kinds) != 0)
+    throw std::runtime_error("it is in tiles, deep or of several parts");
+  Promise promise;
   for (std::string name = name_in(file); !name.empty(); name = name_in(file)) {
     const std::string type = name_in(file);
     const std::int32_t size = integer_in(file);
     const std::streamoff at = file.tellg();
     if (size < 0 || size > bytes - at) refuse();
-    if (name == "dataWindow" && size == 16)
-      require_plausible_window(file, static_cast<double>(bytes));
+    if (name == "dataWindow" && size == 16) read_window(file, promise);
+    if (name == "compression" && size == 1) read_compression(file, promise);
+    if (name == "channels") promise.bytes = bytes_of_channels(file);
     file.seekg(at);
     pass_over(file, type, size);
   }
+  require_plausible(promise, static_cast<double>(bytes));
 }
 
 }  // namespace wander

@@ -63,7 +63,9 @@ std::string syntax_message(std::string what, std::string_view token) {
   if (what.find("control character U+000A") != std::string::npos)
     return "the text does not end on its line; a closing \" is missing";
   const std::string shown = token.empty() ? "the end of the file" : excerpt(token);
-  if (what.find("invalid literal") != std::string::npos)
+  // Of 1e999x nlohmann sees 1e999 first.
+  if (what.find("invalid literal") != std::string::npos ||
+      what.find("number overflow") != std::string::npos)
     return fmt::format(
         "{} is no JSON; a value is a number, \"text\", true, false, [...] or {{...}}", shown);
   if (const auto dash = what.find(" - "); dash != std::string::npos) what.erase(0, dash + 3);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <regex>
 #include <sstream>
 #include <typeinfo>
 
@@ -92,10 +93,17 @@ bool is_in_a_file(std::string_view word, const fs::path& folder) {
   return false;
 }
 
+// A byte is shown as \xcb, and its last letter belongs to no word after it.
+std::string without_shown_bytes(const std::string& message) {
+  static const std::regex shown(R"(\\x[0-9a-fA-F]{2})");
+  return std::regex_replace(message, shown, "?");
+}
+
 // Words that the file itself has may be quoted.
 std::optional<std::string> fault_of(const std::string& message, const fs::path& folder) {
+  const std::string words = without_shown_bytes(message);
   for (const std::string_view word : library_words)
-    if (message.find(word) != message.npos && !is_in_a_file(word, folder))
+    if (words.find(word) != words.npos && !is_in_a_file(word, folder))
       return fmt::format("it says '{}', as a library does", word);
   if (message.empty()) return "it says nothing";
   std::istringstream lines(message);

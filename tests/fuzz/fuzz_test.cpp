@@ -103,6 +103,13 @@ TEST(HostileInputControls, MayQuoteWhatTheirFilesSay) {
             "");
 }
 
+TEST(HostileInputControls, TakeTheLettersOfAShownByteForNoWord) {
+  EXPECT_EQ(breach_of([](std::string_view, const fs::path& folder) {
+              throw RunFileError((folder / "mesh.obj").string() + ": \\xcbad_alloc is no integer");
+            }),
+            "");
+}
+
 TEST(HostileInputControls, CatchAMessageThatNamesNoFile) {
   EXPECT_HAS(
       breach_of([](std::string_view, const fs::path&) { throw RunFileError("it is broken"); }),

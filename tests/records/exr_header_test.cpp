@@ -107,5 +107,32 @@ TEST_F(ExrHeader, OfStringsAndPicturesLongerThanTheirAttributeIsRefused) {
   }
 }
 
+// The library takes memory for whole lines of all channels, and for as many lines as are packed together.
+TEST_F(ExrHeader, OfMoreThanTheFileCanHoldIsRefused) {
+  film_of_others();
+  const std::string whole = bytes();
+  const std::string window = std::string("dataWindow\0box2i\0", 17);
+  const std::string compression = std::string("compression\0compression\0", 24);
+  constexpr std::size_t third_of_right = 4 + 8 + 2, value = 4;
+  spoil(whole, window, third_of_right, 4);  // 2¹⁸ pixels in a line, of four bytes
+  EXPECT_THROW(require_plausible_header(path), std::runtime_error);
+  spoil(whole, window, third_of_right, 1);
+  EXPECT_NO_THROW(require_plausible_header(path));
+  constexpr char of_256_lines = 9, unknown = 77;
+  spoil(bytes(), compression, value, of_256_lines);
+  EXPECT_THROW(require_plausible_header(path), std::runtime_error);
+  spoil(whole, compression, value, unknown);
+  EXPECT_THROW(require_plausible_header(path), std::runtime_error);
+}
+
+TEST_F(ExrHeader, OfOtherKindsOfFilesIsRefused) {
+  film_of_others();
+  const std::string whole = bytes();
+  for (const char kind : {'\x02', '\x08', '\x10'}) {
+    spoil(whole, std::string("\x76\x2f\x31\x01\x02", 5), 0, kind);
+    EXPECT_THROW(require_plausible_header(path), std::runtime_error) << int(kind);
+  }
+}
+
 }  // namespace
 }  // namespace wander::test::exr_header_test

@@ -37,6 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"BadWord", "{\"a\": ^tru}", {{"/a", "tru is no JSON"}}},
         Malformed{"LeadingZero", "{\"a\": ^01}", {{"/", "01 is not allowed"}}},
         Malformed{"LeadingPoint", "{\"a\": ^.5}", {{"/a", ".5 is no JSON"}}},
+        Malformed{"LetterAfterTooLarge", "{\"a\": ^1e999x}", {{"/a", "1e999x is no JSON"}}},
         Malformed{"BadEscape", "{\"a\": ^\"\\q\"}", {{"/a", "forbidden character"}}},
         Malformed{"LoneSurrogate", "{\"a\": ^\"\\ud800\"}", {{"/a", "surrogate"}}},
         Malformed{"TextAfterTheScene", "{} ^x", {{"/", "x is no JSON"}}},
