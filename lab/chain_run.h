@@ -88,6 +88,8 @@ class ChainRun final : public LiveRun {
       seed_share_ = 0;
       seeds_for_groups_ = seeds_for(pilot);
     }
+    if (!settings_.seed_share && finds_rare_light(pilot))
+      seed_share_ = ChainSettings::seed_share_of_rare_light;
     groups_->pool(*pooling_);
   }
   double seed_share() const override { return seed_share_; }
@@ -115,7 +117,7 @@ class ChainRun final : public LiveRun {
   std::uint64_t samples() const override { return groups_->steps(); }
   // An interrupt is heard between two, and a step costs its vertices.
   std::uint64_t stride() const override {
-    constexpr std::uint64_t usual = 1024, short_paths = 32;  // steps of each group
+    constexpr std::uint64_t usual = 1024;  // steps of each group
     const auto n = static_cast<std::uint64_t>(space_.max_vertices());
     return usual * short_paths / std::max(n, short_paths) * groups_->active();
   }

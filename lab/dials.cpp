@@ -24,8 +24,8 @@ std::string seed_share_help() {
   return fmt::format(
       "length of the seed pass: samples for each mutation of a sample budget, seconds for each "
       "second of the chains in a time budget (default: few, and then as many beside the chains as "
-      "earn more than steps do; with --film chains, {})",
-      ChainSettings::usual_seed_share);
+      "earn more than steps do; {} where samples hardly find light; with --film chains, {})",
+      ChainSettings::seed_share_of_rare_light, ChainSettings::usual_seed_share);
 }
 int parse_chains(std::string_view text) {
   constexpr int groups = ChainSettings{}.groups;

@@ -82,7 +82,7 @@ class PilotRun {
   }
 
  private:
-  static constexpr std::uint64_t samples_per_round = 1 << 11, enough = 1 << 13, most = 1 << 15,
+  static constexpr std::uint64_t samples_per_round = 1 << 11, enough = 1 << 13,
                                  steps_per_round = 1 << 11;
   // Of a budget of time.
   static constexpr double share_of_samples = 0.05, share_of_early = 0.07, share_of_all = 0.1;
@@ -91,7 +91,8 @@ class PilotRun {
     Pilot pilot;
     const std::uint64_t of_each =
         std::min(samples_per_round / trial_.count(), trial_.seed_stride());
-    for (std::uint64_t made = 0; made < most && pilot.rays < ChainSettings::most_rays &&
+    for (std::uint64_t made = 0; made < most_samples_of_a_pilot &&
+                                 pilot.rays < ChainSettings::most_rays &&
                                  !budget_.is_over(share_of_samples);) {
       trial_.add_seeds(of_each);
       made += of_each * trial_.count();

@@ -55,12 +55,12 @@ class ShownChains {
   }
 
  private:
-  static constexpr std::uint64_t seeds_per_round = 64;  // of each group
-
   void make_seeds(Run& run, std::uint64_t of_each) {
+    constexpr std::uint64_t usual = 64;  // of each group, between two reports
+    const std::uint64_t of_a_round = std::min(usual, groups_.seed_stride());
     for (std::uint64_t done = 0; done < of_each;) {
       if (run.is_interrupted()) throw NothingComputed();
-      const std::uint64_t samples = std::min(seeds_per_round, of_each - done);
+      const std::uint64_t samples = std::min(of_a_round, of_each - done);
       groups_.add_seeds(samples);
       done += samples;
       run.report({static_cast<double>(done) / static_cast<double>(of_each), done * groups_.count(),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <concepts>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,6 +15,9 @@
 #include "work/parallel.h"
 
 namespace wander {
+
+// Vertices.  Of longer paths fewer are made between two interrupts.
+inline constexpr std::uint64_t short_paths = 32;
 
 template <class C>
 concept TakesSteps = ChainSource<C> && requires(C& chains, std::uint64_t count) {
@@ -63,7 +67,7 @@ class ChainGroups {
   // Of each slice between two interrupts, for a sample may cost the square of its vertices.  No clock has a
   // part in it: films that are summed in parts show in their last bit where these end.
   std::uint64_t seed_stride() const {
-    constexpr std::uint64_t usual = 256, short_paths = 32;
+    constexpr std::uint64_t usual = 256;
     const std::uint64_t n = std::max(static_cast<std::uint64_t>(max_vertices_), short_paths);
     return std::max<std::uint64_t>(usual * short_paths * short_paths / (n * n), 1);
   }

@@ -186,6 +186,10 @@ bool tells_enough(const Pilot& pilot) {
   return pilot.effective_samples() >= enough_effective_samples;
 }
 
+bool finds_rare_light(const Pilot& pilot) {
+  return !is_telling(pilot) && pilot.samples >= static_cast<double>(most_samples_of_a_pilot);
+}
+
 Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins) {
   if (!(pilot.b() > 0) || !(samples_per_step > 0)) return {.samples_per_step = samples_per_step};
   std::vector<Choice> choices;

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -126,6 +127,9 @@ Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins);
 // Did enough of its samples find light to choose by?  And to choose well?
 bool is_telling(const Pilot& pilot);
 bool tells_enough(const Pilot& pilot);
+// Did hardly any of many?  A pilot whose samples are dear has few.
+inline constexpr std::uint64_t most_samples_of_a_pilot = 1 << 15;
+bool finds_rare_light(const Pilot& pilot);
 
 // How many steps tell as much as one draw, if the means of chains of n steps have a variance of so
 // many times that of one draw.  Where autocorrelation falls as e^(-2 i/τ) that is, with x = 2 n/τ,

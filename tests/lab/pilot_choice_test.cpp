@@ -4,21 +4,24 @@
 
 #include <string>
 
+#include "lab/compare/make_runs.h"
 #include "lab/engine.h"
 #include "lab/scene_source.h"
 
 namespace wander::test::pilot_choice_test {
 namespace {
 
-PoolingRecord choice(const char* scene) {
+constexpr std::uint64_t steps = 200'000;
+
+Rendering rendering(const char* scene) {
   Session session;
-  session.budget = SampleBudget{200'000};
+  session.budget = SampleBudget{steps};
   session.threads = 2;
   session.seed = 1;
   return render(Job(open_scene(std::string(gallery_prefix) + scene).scene, find_method("mlt")),
-                session)
-      .pooling.value();
+                session);
 }
+PoolingRecord choice(const char* scene) { return rendering(scene).pooling.value(); }
 
 // Light comes from everywhere: as many samples as a budget of steps allows.
 TEST(ChoicesInSpace, LeaveAnOpenBoxToSamples) {
@@ -34,6 +37,14 @@ TEST(ChoicesInSpace, LeaveASlitToChains) {
   const PoolingRecord pooling = choice("slit-3d");
   EXPECT_LT(pooling.light_of_samples, 0.3);
   EXPECT_LE(pooling.how.samples_per_step, 4 * fewest_samples_per_step);
+}
+
+// One sample of sixty thousand finds light, and how many do says how bright the film is: the seed pass costs
+// about what the chains do.  Where more find it, samples are few if steps earn more.
+TEST(SeedPass, MakesASampleForEachStepWhereLightIsRare) {
+  constexpr std::uint64_t slices = 64;
+  EXPECT_EQ(compare::seed_samples_of(rendering("article-4")), steps / slices * slices);
+  EXPECT_LT(compare::seed_samples_of(rendering("corridor")), 3 * steps / 4);
 }
 
 }  // namespace

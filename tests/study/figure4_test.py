@@ -11,7 +11,7 @@ from pathlib import Path
 import place
 from study.page import percent
 
-METHODS = ["pt", "lt", "bdpt", "mlt"]
+METHODS = ["pt", "lt", "bdpt", "mlt", "mlt-chains"]
 SCENES = ["article-1", "article-2"]
 SMALL, LARGE, CHUNK = 1000, 10000, 5000
 

@@ -9,8 +9,8 @@ from study.page import error_text, power_of_ten
 from study.svg import FAINT, LABEL_SIZE, NEUTRAL, PAGE_WIDTH, TITLE_SIZE, Svg, number
 
 METHOD_NAMES = {"pt": "path tracing", "lt": "light tracing", "bdpt": "bidirectional", "mlt": "Metropolis",
-                "pssmlt": "primary sample space", "mmlt": "multiplexed", "pt-naive": "naive path tracing",
-                "lt-naive": "naive light tracing"}
+                "mlt-chains": "its chains alone", "pssmlt": "primary sample space", "mmlt": "multiplexed",
+                "pt-naive": "naive path tracing", "lt-naive": "naive light tracing"}
 PALE, AREA, DARK, REFERENCE = "#4d9fd6", "#d3e7f5", "#1a1a1a", "#d55e00"
 SPREAD = 1.5
 MARGIN, PICTURE, AXIS, GAP, PANEL_HEIGHT, ROW_HEIGHT, HEAD = 6, 84, 32, 8, 60, 92, 46

@@ -18,6 +18,10 @@ from study.film import InvalidInput, film_of, read_json
 
 QUIET = ["-q", "--progress", "none"]
 
+# Studied as methods: a method of the program, with options of render.  A film of `mlt` has the merits of
+# independent samples, too; that of its chains alone has not.
+VARIANTS = {"mlt-chains": ("mlt", ("--film", "chains"))}
+
 
 class RunFailed(Exception):
     """The program failed; the text is what it said, the exit code that of the program."""
@@ -49,7 +53,7 @@ class Run:
         if record.get("complete") is not True:
             return None
         found = (record["scene"]["name"], record["method"], record["samples"], record["seed"])
-        wanted = (self.scene, self.method, self.samples, self.seed)
+        wanted = (self.scene, VARIANTS.get(self.method, (self.method,))[0], self.samples, self.seed)
         if found != wanted:
             raise InvalidInput(f"{file}: holds scene, method, samples, seed = {found}, where {wanted} is due; "
                                "move it away, or choose another --out")
@@ -60,10 +64,9 @@ class Run:
         return film_of(record) if record else None
 
     def command(self, program):
-        # Methods are studied against each other: chains are to have no merit that is the samples'.
-        alone = ["--film", "chains"] if self.method == "mlt" else []
-        return [str(program), "render", f"gallery:{self.scene}", "-m", self.method, "-b", str(self.samples),
-                "-s", str(self.seed), *alone, *self.options]
+        method, own = VARIANTS.get(self.method, (self.method, ()))
+        return [str(program), "render", f"gallery:{self.scene}", "-m", method, "-b", str(self.samples),
+                "-s", str(self.seed), *own, *self.options]
 
 
 def amount(text):

@@ -148,6 +148,15 @@ TEST(Pooling, MakesManySamplesWhereLightIsEasyAndFewWhereItIsHard) {
   EXPECT_GT(of_one.partition.c, 0);
 }
 
+// Few samples, because they were dear, say nothing of how rare light is.
+TEST(Pooling, CallsLightRareIfManySamplesFindHardlyAny) {
+  constexpr double many = most_samples_of_a_pilot;
+  EXPECT_TRUE(finds_rare_light(pilot_of({{1e4, 3}}, many)));
+  EXPECT_TRUE(finds_rare_light(pilot_of({}, many)));
+  EXPECT_FALSE(finds_rare_light(pilot_of({{1e4, 3}}, many - 1)));
+  EXPECT_FALSE(finds_rare_light(pilot_of({{1e4, 100}}, many)));
+}
+
 TEST(Pooling, KnowsNoUnitOfLight) {
   Pilot one = pilot_of({{1.3, 4000}, {77, 50}}), other = pilot_of({});
   for (int i = one.found.first(); i < one.found.end(); ++i) {
