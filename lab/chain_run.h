@@ -76,21 +76,23 @@ class ChainRun final : public LiveRun {
     return now;
   }
   void prepare() override {
-    adapt();
     if (is_prepared() || run_.is_interrupted()) return;
-    const Pilot pilot = this->pilot();
+    if (settings_.film_parts == FilmParts::chains) return adapt();
+    const auto make = [this](double kernel) {
+      return make_trial_(seed_of_pilot(run_.session().seed), kernel);
+    };
+    PilotRun pilot(make, kernel(), space_.scene().resolution(), run_);
+    const auto of_easy_light = this->of_easy_light(pilot.samples());
     if (run_.is_interrupted()) return;
-    pooling_ = settings_.seed_share ? with_seed_share(pilot, *settings_.seed_share)
-                                    : best_pooling(pilot, bins(), most_cost());
-    // Where samples go on beside the chains, seeds need no more than the fewest, or what it takes for
-    // the slice of a group to find light.
-    if (!settings_.seed_share && is_telling(pilot)) {
-      seed_share_ = 0;
-      seeds_for_groups_ = seeds_for(pilot);
+    if (of_easy_light) {
+      keep_usual_kernel();
+      return pool(pilot.samples(), *of_easy_light);
     }
-    if (!settings_.seed_share && finds_rare_light(pilot))
-      seed_share_ = ChainSettings::seed_share_of_rare_light;
-    groups_->pool(*pooling_);
+    adapt();
+    const Pilot found = with_steps_per_seed(pilot.with_chains(kernel(), steps_per_chain()));
+    if (run_.is_interrupted()) return;
+    pool(found, settings_.seed_share ? with_seed_share(found, *settings_.seed_share)
+                                     : best_pooling(found, bins(), most_cost()));
   }
   double seed_share() const override { return seed_share_; }
   SeedPass seeds() const override {
@@ -211,14 +213,32 @@ class ChainRun final : public LiveRun {
     adaptation_ = found;
     make_groups(settings_.groups, settings_.chains_per_group);
   }
+  void keep_usual_kernel() {
+    if (!is_adapted_) adaptation_.emplace();
+    is_adapted_ = true;
+  }
   double kernel() const { return adaptation_ ? adaptation_->kernel : Adaptation{}.kernel; }
-  Pilot pilot() const {
-    const auto trial = make_trial_(seed_of_pilot(run_.session().seed), kernel());
-    Pilot pilot = PilotRun(*trial, space_.scene().resolution(), run_).run(steps_per_chain());
+  std::optional<Pooling> of_easy_light(const Pilot& samples) const {
+    if (settings_.seed_share) return {};
+    return pooling_of_easy_light(samples, bins(), most_cost());
+  }
+  Pilot with_steps_per_seed(Pilot pilot) const {
     if (is_telling(pilot))
       pilot.steps_per_seed =
           steps() / static_cast<double>(std::max(settings_.fewest_seeds, seeds_for(pilot)));
     return pilot;
+  }
+  void pool(const Pilot& pilot, const Pooling& pooling) {
+    pooling_ = pooling;
+    // Where samples go on beside the chains, seeds need no more than the fewest, or what it takes for
+    // the slice of a group to find light.
+    if (!settings_.seed_share && is_telling(pilot)) {
+      seed_share_ = 0;
+      seeds_for_groups_ = seeds_for(pilot);
+    }
+    if (!settings_.seed_share && finds_rare_light(pilot))
+      seed_share_ = ChainSettings::seed_share_of_rare_light;
+    groups_->pool(pooling);
   }
   double most_cost() const {
     const bool is_of_steps = std::holds_alternative<SampleBudget>(run_.session().budget);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -36,8 +37,12 @@ class PilotBudget {
   // A part of a budget of time may be spent so far; and nothing when the run is interrupted.
   bool is_over(double share) const {
     const auto* time = std::get_if<TimeBudget>(&run_.session().budget);
-    return run_.is_interrupted() || (time && run_.spent() - begin_ > share * time->seconds);
+    return run_.is_interrupted() || (time && spent() > share * time->seconds);
   }
+  void restart() { begin_ = run_.spent(); }
+  // What is spent between the two is spent on something else.
+  void pause() { paused_ = run_.spent(); }
+  void go_on() { begin_ += run_.spent() - paused_; }
   // Of all chains together.  Of an image it takes more to know how they differ, for its pixels are many and
   // its dark parts seldom visited.
   std::uint64_t steps() const {
@@ -49,9 +54,11 @@ class PilotBudget {
   }
 
  private:
+  double spent() const { return run_.spent() - begin_; }
+
   const Run& run_;
   bool is_of_image_;
-  double begin_;
+  double begin_, paused_ = 0;
 };
 
 template <class Groups>
@@ -61,20 +68,31 @@ std::vector<TrialFindings> findings_of(const Groups& groups) {
   return found;
 }
 
-// A trial of chains and samples in a space.
-template <class Groups>
+// A trial of chains and samples in a space: first the samples, and if these cannot decide, the chains.
+// `make(kernel)`: ChainGroups of TrialGroup with one chain each, of which nothing has been made.
+template <class Make>
 class PilotRun {
  public:
-  // `trial`: ChainGroups of TrialGroup with one chain each, of which nothing has been made.
-  PilotRun(Groups& trial, std::span<const int> resolution, const Run& run)
-      : trial_(trial), resolution_(resolution), budget_(run, resolution) {}
+  PilotRun(const Make& make, double kernel, std::span<const int> resolution, const Run& run)
+      : make_(make), kernel_(kernel), resolution_(resolution), budget_(run, resolution) {
+    make_samples();
+    budget_.pause();
+  }
 
-  // Samples until they tell enough, then steps.  `steps_per_chain`: of the run.
-  Pilot run(double steps_per_chain) {
-    const Pilot samples = make_samples();
-    if (!is_telling(samples)) return samples;
-    const BinWorth worth(resolution_, findings_of(trial_));
-    trial_.start(1);
+  // Until they told enough.
+  const Pilot& samples() const { return samples_; }
+
+  // And then steps, with a kernel that may have been found since.  `steps_per_chain`: of the run.
+  Pilot with_chains(double kernel, double steps_per_chain) {
+    budget_.go_on();
+    if (kernel != kernel_) {
+      kernel_ = kernel;
+      budget_.restart();
+      make_samples();
+    }
+    if (!is_telling(samples_)) return samples_;
+    const BinWorth worth(resolution_, findings_of(*trial_));
+    trial_->start(1);
     make_steps(budget_.steps() / 4, share_of_early);
     const Pilot early = found_by(worth);
     make_steps(budget_.steps(), share_of_all);
@@ -87,27 +105,27 @@ class PilotRun {
   // Of a budget of time.
   static constexpr double share_of_samples = 0.05, share_of_early = 0.07, share_of_all = 0.1;
 
-  Pilot make_samples() {
-    Pilot pilot;
+  void make_samples() {
+    samples_ = {};
+    trial_ = make_(kernel_);
     const std::uint64_t of_each =
-        std::min(samples_per_round / trial_.count(), trial_.seed_stride());
+        std::min(samples_per_round / trial_->count(), trial_->seed_stride());
     for (std::uint64_t made = 0; made < most_samples_of_a_pilot &&
-                                 pilot.rays < ChainSettings::most_rays &&
+                                 samples_.rays < ChainSettings::most_rays &&
                                  !budget_.is_over(share_of_samples);) {
-      trial_.add_seeds(of_each);
-      made += of_each * trial_.count();
-      pilot = found_by(BinWorth(resolution_, findings_of(trial_)));
-      if (made >= enough && tells_enough(pilot)) break;
+      trial_->add_seeds(of_each);
+      made += of_each * trial_->count();
+      samples_ = found_by(BinWorth(resolution_, findings_of(*trial_)));
+      if (made >= enough && tells_enough(samples_)) break;
     }
-    return pilot;
   }
   void make_steps(std::uint64_t steps, double share) {
-    while (trial_.steps() < steps && !budget_.is_over(share))
-      trial_.advance_to(std::min(steps, trial_.steps() + steps_per_round));
+    while (trial_->steps() < steps && !budget_.is_over(share))
+      trial_->advance_to(std::min(steps, trial_->steps() + steps_per_round));
   }
   Pilot found_by(const BinWorth& worth) const {
-    const std::uint64_t active = trial_.active();
-    Pilot pilot = pilot_of(findings_of(trial_), worth, active > 0 ? trial_.steps() / active : 0);
+    const std::uint64_t active = trial_->active();
+    Pilot pilot = pilot_of(findings_of(*trial_), worth, active > 0 ? trial_->steps() / active : 0);
     if (resolution_.size() > 1) {
       pilot.rays_per_step = rays_per_step_in_space;
       pilot.worth_a_risk = worth_a_risk_in_space;
@@ -115,9 +133,12 @@ class PilotRun {
     return pilot;
   }
 
-  Groups& trial_;
+  const Make& make_;
+  double kernel_;
   std::span<const int> resolution_;
   PilotBudget budget_;
+  std::invoke_result_t<Make, double> trial_;
+  Pilot samples_;
 };
 
 }  // namespace wander

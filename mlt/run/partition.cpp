@@ -12,6 +12,7 @@ namespace wander {
 namespace {
 
 constexpr double fewest_samples_of_a_pilot = 64, enough_effective_samples = 512;
+constexpr double nearly_best = 1.05;  // of light that is called easy
 constexpr double smallest_border = 0x1p-2, largest_border = 0x1p18, border_of_all_light = 0x1p48,
                  largest_safe_border = 0x1p10;  // over b
 
@@ -97,10 +98,14 @@ struct Choice {
   double work = 0;  // V (1 + ρ κ)
 };
 
+double cost_of_sample(const Pilot& pilot) {
+  return pilot.rays / pilot.samples / pilot.rays_per_step;
+}
+
 // Of each border with so many samples per step.
 void add_choices(const Pilot& pilot, const Variance& variance, double samples_per_step,
                  std::vector<Choice>& choices) {
-  const double cost = pilot.rays / pilot.samples / pilot.rays_per_step;
+  const double cost = cost_of_sample(pilot);
   const std::vector<Pilot::Border> borders = borders_of(pilot);
   double of_total = std::numeric_limits<double>::infinity();
   for (const Pilot::Border& border : borders)
@@ -111,6 +116,17 @@ void add_choices(const Pilot& pilot, const Variance& variance, double samples_pe
     if (std::isnan(work)) continue;
     choices.push_back({{{border.c}, samples_per_step, border.steps_per_draw, cost}, work});
   }
+}
+
+// By their samples per step, the fewest first.
+std::vector<Choice> all_choices(const Pilot& pilot, std::size_t bins, double most_cost) {
+  const Variance variance(pilot, bins);
+  std::vector<Choice> choices;
+  for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2) {
+    if (rho > fewest_samples_per_step && rho * cost_of_sample(pilot) > most_cost) break;
+    add_choices(pilot, variance, rho, choices);
+  }
+  return choices;
 }
 
 const Choice& best_of(std::span<const Choice> choices) {
@@ -199,15 +215,22 @@ Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins) {
 
 Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost) {
   if (!is_telling(pilot)) return pooling(pilot, fewest_samples_per_step, bins);
-  const Variance variance(pilot, bins);
-  const double cost = pilot.rays / pilot.samples / pilot.rays_per_step;
-  std::vector<Choice> choices;
-  for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2) {
-    if (rho > fewest_samples_per_step && rho * cost > most_cost) break;
-    add_choices(pilot, variance, rho, choices);
-  }
-  if (choices.empty()) return {.samples_per_step = fewest_samples_per_step, .cost_of_sample = cost};
+  const std::vector<Choice> choices = all_choices(pilot, bins, most_cost);
+  if (choices.empty())
+    return {.samples_per_step = fewest_samples_per_step, .cost_of_sample = cost_of_sample(pilot)};
   return chosen_of(choices, largest_safe_border * pilot.b(), pilot.worth_a_risk).pooling;
+}
+
+std::optional<Pooling> pooling_of_easy_light(const Pilot& samples, std::size_t bins,
+                                             double most_cost) {
+  if (!tells_enough(samples)) return {};
+  const std::vector<Choice> choices = all_choices(samples, bins, most_cost);
+  if (choices.empty()) return {};
+  const double enough = nearly_best * best_of(choices).work,
+               border = largest_safe_border * samples.b();
+  for (const Choice& choice : choices)  // fewest samples first
+    if (choice.pooling.partition.c == border && choice.work <= enough) return choice.pooling;
+  return {};
 }
 
 }  // namespace wander

@@ -121,6 +121,12 @@ inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_ste
                         usual_most_cost = 32, most_cost_of_given_steps = 4;
 Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost = usual_most_cost);
 
+// What samples alone decide: with chains of which one step in sixteen told as much as a draw, nothing would take a
+// twentieth less work than 2¹⁰ b does, which leaves nearly all to samples.  Of the ρ that are as good as that the
+// smallest, for what is rare is the chains'.  None: chains have to be asked, or better samples.
+std::optional<Pooling> pooling_of_easy_light(const Pilot& samples, std::size_t bins,
+                                             double most_cost = usual_most_cost);
+
 // The best c for so many samples per step; nothing is left to samples where the pilot found no light.
 Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins);
 

@@ -8,7 +8,6 @@
 #include "lab/scene_source.h"
 #include "lab/world_methods.h"
 #include "records/run_json.h"
-#include "tests/support/test_scenes.h"
 
 namespace wander::test {
 namespace {
@@ -84,12 +83,12 @@ TEST(AdaptedRun, MovesAsFarAsSuitsTheScene) {
 TEST(AdaptedRun, HasTheBitsOfOneWithTheFactorThatItFound) {
   for (const char* method : {"mlt", "pssmlt", "mmlt"})
     for (const FilmParts parts : {FilmParts::chains, FilmParts::pooled}) {
-      Made adapted(in_gallery("mirror-dish"), method, with(parts));
+      Made adapted(in_gallery("corridor"), method, with(parts));
       const Rendering found = adapted.after_seeds().at_the_end();
       ASSERT_TRUE(found.adaptation);
       ordered_json numbers = numbers_of(found);
       numbers.erase("adaptation");
-      Made given(in_gallery("mirror-dish"), method, with(parts, found.adaptation->kernel));
+      Made given(in_gallery("corridor"), method, with(parts, found.adaptation->kernel));
       expect_same(numbers, numbers_of(given.after_seeds().at_the_end()));
     }
 }
@@ -104,7 +103,7 @@ TEST(AdaptedRun, HasNotTheBitsOfAnotherFactor) {
 
 TEST(AdaptedRun, HasTheSameBitsForAnyNumberOfThreads) {
   const auto run = [](int threads) {
-    Made made(mirror_and_glass(), "mlt", with(FilmParts::pooled), enough, threads);
+    Made made(in_gallery("corridor"), "mlt", with(FilmParts::pooled), enough, threads);
     return numbers_of(made.after_seeds().at_the_end());
   };
   expect_same(run(1), run(3));
@@ -112,9 +111,9 @@ TEST(AdaptedRun, HasTheSameBitsForAnyNumberOfThreads) {
 
 TEST(AdaptedRun, IsCarriedOnWithTheSameBits) {
   for (const FilmParts parts : {FilmParts::chains, FilmParts::pooled}) {
-    Made first(in_gallery("mirror-dish"), "mlt", with(parts)),
-        second(in_gallery("mirror-dish"), "mlt", with(parts)),
-        early(in_gallery("mirror-dish"), "mlt", with(parts));
+    Made first(in_gallery("corridor"), "mlt", with(parts)),
+        second(in_gallery("corridor"), "mlt", with(parts)),
+        early(in_gallery("corridor"), "mlt", with(parts));
     const std::string unadapted = state_of(*early.run);
     first.after_seeds();
     restore(*second.run, state_of(*first.run));
@@ -129,14 +128,19 @@ TEST(AdaptedRun, IsCarriedOnWithTheSameBits) {
 }
 
 TEST(AdaptedRun, OfASmallBudgetKeepsTheUsualFactor) {
-  Made small(mirror_and_glass(), "mlt", with(FilmParts::pooled), enough - 1),
-      large(mirror_and_glass(), "mlt", with(FilmParts::pooled));
+  Made small(in_gallery("corridor"), "mlt", with(FilmParts::pooled), enough - 1),
+      large(in_gallery("corridor"), "mlt", with(FilmParts::pooled));
   EXPECT_EQ(small.after_seeds().at_the_end().adaptation, Adaptation{});
   EXPECT_GE(large.after_seeds().at_the_end().adaptation->tried.size(), 3u);
 }
 
+TEST(AdaptedRun, LeftToSamplesKeepsTheUsualFactor) {
+  Made easy(in_gallery("mirror-dish"), "mlt", with(FilmParts::pooled));
+  EXPECT_EQ(easy.after_seeds().at_the_end().adaptation, Adaptation{});
+}
+
 TEST(AdaptedRun, IsNoneWhereTheFactorIsGiven) {
-  Made given(mirror_and_glass(), "mlt", with(FilmParts::pooled, 1));
+  Made given(in_gallery("corridor"), "mlt", with(FilmParts::pooled, 1));
   EXPECT_FALSE(given.after_seeds().at_the_end().adaptation);
 }
 

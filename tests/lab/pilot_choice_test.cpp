@@ -39,6 +39,11 @@ TEST(ChoicesInSpace, LeaveASlitToChains) {
   EXPECT_LE(pooling.how.samples_per_step, 4 * fewest_samples_per_step);
 }
 
+TEST(Choices, AskNoChainsAboutEasyLight) {
+  EXPECT_EQ(choice("article-1").how.steps_per_draw, usual_steps_per_draw);
+  EXPECT_NE(choice("slit").how.steps_per_draw, usual_steps_per_draw);
+}
+
 // One sample of sixty thousand finds light, and how many do says how bright the film is: the seed pass costs
 // about what the chains do.  Where more find it, samples are few if steps earn more.
 TEST(SeedPass, MakesASampleForEachStepWhereLightIsRare) {

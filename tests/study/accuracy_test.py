@@ -69,7 +69,9 @@ class Accuracy(unittest.TestCase):
     def test_makes_each_study_once(self):
         self.assertEqual(self.first.returncode, 0, self.first.stderr)
         before = [line for line in self.commands() if "precision" not in line]
-        self.assertEqual(len(before), 2 * 7)
+        self.assertEqual(len(before), 2 * 8)
+        self.assertEqual([line for line in before if "film=chains" not in line],
+                         [line for line in before if "--sweep" not in line], "dials are those of chains")
         self.assertEqual(self.accuracy().returncode, 0)
         self.assertEqual([line for line in self.commands() if "precision" not in line], before)
 

@@ -14,14 +14,17 @@ METHODS = ["pt", "lt", "bdpt", "mlt", "pssmlt", "mmlt"]
 CURVE = (1 / 16, 1 / 4, 1)  # budgets of the comparison of methods, times the largest
 REFERENCE = 3
 
-# The usual values (large_step 0.3, kernel 1) take part in every sweep without being named.
+# The usual values (large_step 0.3, kernel auto) take part in every sweep without being named.
 DIALS = {
+    "film": ["chains"],
     "large_step": ["0.02", "0.1", "0.6", "0.9"],
-    "kernel": ["0.25", "0.5", "2", "4"],
+    "kernel": ["0.25", "1", "4", "16"],
     "chains": ["64", "1024", "4096"],
     "seed_share": ["0.05", "1", "4"],
     "precision": ["float"],
 }
+# What a dial does to chains shows on their own film: most of a pooled one may be that of samples.
+CHAINS_ALONE = ("--dial", "film=chains")
 # Of `--mutations auto`, by word (auto_weight in mutations/*.h).
 AUTO_WEIGHTS = {"bidirectional": 0.5, "lens": 1, "caustic": 1, "multichain": 1, "primary": 1.5}
 
@@ -33,6 +36,7 @@ class Study:
     methods: list
     settings: list  # of the dial
     relative_budgets: tuple
+    options: tuple = ()  # of compare, beside these
 
     def effort(self):
         """Runs of the largest budget that one replicate is worth."""
@@ -49,7 +53,7 @@ class Study:
                  ",".join(self.budgets(seconds)), "--replicates", str(replicates)]
         if self.settings:
             words += ["--sweep", f"{self.name}=" + joined(self.settings)]
-        return words + ["-o", str(self.directory(out)), "--force"]
+        return words + [*self.options, "-o", str(self.directory(out)), "--force"]
 
 
 def joined(settings):
@@ -76,7 +80,8 @@ def studies_of(scene, requirements):
     settings = dict(DIALS, max_vertices=[str(n) for n in (longest - 2, longest - 1) if n >= 2],
                     mutations=list(mutation_settings(requirements["requires"]["mutations"]).values()))
     return [Study(scene, "methods", METHODS, [], CURVE)] + [
-        Study(scene, dial, ["mlt"], values, (1,)) for dial, values in settings.items() if values]
+        Study(scene, dial, ["mlt"], values, (1,), () if dial == "film" else CHAINS_ALONE)
+        for dial, values in settings.items() if values]
 
 
 def seconds_per_run(studies, minutes, replicates):

@@ -67,12 +67,18 @@ TEST(Pooling, IsTheBalanceOfSamplesAndDraws) {
   EXPECT_EQ(even.cost_of_sample, 0.5);
 }
 
-// What is chosen, by going through all there is.
-Pooling by_rule(const Pilot& pilot) {
+// All there is, the fewest samples first.
+std::vector<Pooling> all_choices(const Pilot& pilot) {
   std::vector<Pooling> all;
   for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2)
     for (const double c : borders_around(pilot.b()))
       if (rho == fewest_samples_per_step || rho / 2 <= usual_most_cost) all.push_back({{c}, rho});
+  return all;
+}
+
+// What is chosen, by going through all there is.
+Pooling by_rule(const Pilot& pilot) {
+  std::vector<Pooling> all = all_choices(pilot);
   const auto of = [&](const Pooling& one) { return work(pilot, one); };
   const Pooling best = std::ranges::min(all, {}, of);
   const double enough = 1.25 * work(pilot, best);
@@ -105,9 +111,7 @@ TEST(Pooling, OfAnImageLeavesToChainsWhatTheyPromiseTwice) {
   for (int count = 5; count <= 1280; count *= 2) {
     Pilot pilot = pilot_of({{1, 5000}, {400, count}});
     const Pooling in_the_plane = best_pooling(pilot, bins);
-    std::vector<Pooling> all;
-    for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2)
-      for (const double c : borders_around(pilot.b())) all.push_back({{c}, rho});
+    std::vector<Pooling> all = all_choices(pilot);
     const auto of = [&](const Pooling& one) { return work(pilot, one); };
     const Pooling best = std::ranges::min(all, {}, of);
     std::erase_if(all, [&](const Pooling& one) { return one.partition.c != 1024 * pilot.b(); });
@@ -122,6 +126,30 @@ TEST(Pooling, OfAnImageLeavesToChainsWhatTheyPromiseTwice) {
   }
   EXPECT_GE(safe, 1);
   EXPECT_GE(risky, 1);
+}
+
+// Where even chains that mix at once would hardly do better than samples, none are asked.
+TEST(Pooling, OfEasyLightIsThatOfSamplesAlone) {
+  int easy = 0, hard = 0;
+  for (int count = 0; count <= 60; count += 2) {
+    const Pilot pilot = pilot_of({{1, 50'000}, {100, count}}, 100'000);
+    ASSERT_TRUE(tells_enough(pilot));
+    std::vector<Pooling> all = all_choices(pilot);
+    const auto of = [&](const Pooling& one) { return work(pilot, one); };
+    const double best = of(std::ranges::min(all, {}, of));
+    std::erase_if(all, [&](const Pooling& one) {
+      return one.partition.c != 1024 * pilot.b() || of(one) > 1.05 * best;
+    });
+    const auto chosen = pooling_of_easy_light(pilot, bins);
+    ASSERT_EQ(chosen.has_value(), !all.empty()) << count;
+    ++(chosen ? easy : hard);
+    if (!chosen) continue;
+    EXPECT_EQ(chosen->partition.c, all.front().partition.c) << count;
+    EXPECT_EQ(chosen->samples_per_step, all.front().samples_per_step) << count;
+  }
+  EXPECT_GE(easy, 2);
+  EXPECT_GE(hard, 2);
+  EXPECT_FALSE(pooling_of_easy_light(pilot_of({{1, 500}}), bins)) << "from so few samples";
 }
 
 // Of a pilot that cannot tell, what samples leave unknown is not known: the best is taken.
