@@ -236,9 +236,12 @@ class ChainRun final : public LiveRun {
       seed_share_ = 0;
       seeds_for_groups_ = seeds_for(pilot);
     }
-    if (!settings_.seed_share && finds_rare_light(pilot))
-      seed_share_ = ChainSettings::seed_share_of_rare_light;
+    if (!settings_.seed_share && finds_rare_light(pilot)) seed_share_ = seed_share_of_rare_light();
     groups_->pool(pooling);
+  }
+  double seed_share_of_rare_light() const {
+    const bool is_of_time = std::holds_alternative<TimeBudget>(run_.session().budget);
+    return is_of_time ? ChainSettings::seed_share_of_rare_light : samples_per_step_of_rare_light;
   }
   double most_cost() const {
     const bool is_of_steps = std::holds_alternative<SampleBudget>(run_.session().budget);

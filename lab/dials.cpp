@@ -8,6 +8,7 @@
 #include "lab/failure.h"
 #include "lab/nearest.h"
 #include "lab/parsing.h"
+#include "lab/pilot_run.h"
 
 namespace wander {
 
@@ -24,8 +25,10 @@ std::string seed_share_help() {
   return fmt::format(
       "length of the seed pass: samples for each mutation of a sample budget, seconds for each "
       "second of the chains in a time budget (default: few, and then as many beside the chains as "
-      "earn more than steps do; {} where samples hardly find light; with --film chains, {})",
-      ChainSettings::seed_share_of_rare_light, ChainSettings::usual_seed_share);
+      "earn more than steps do; where samples hardly find light {} in a time budget, {} in one of "
+      "samples; with --film chains, {})",
+      ChainSettings::seed_share_of_rare_light, samples_per_step_of_rare_light,
+      ChainSettings::usual_seed_share);
 }
 int parse_chains(std::string_view text) {
   constexpr int groups = ChainSettings{}.groups;

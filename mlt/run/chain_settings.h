@@ -24,8 +24,7 @@ struct ChainSettings {
   // finds best, for a pooled film, or else the usual.
   std::optional<double> seed_share{};
   static constexpr double usual_seed_share = 0.25;
-  // Where the pilot of a pooled film finds hardly any light: what limits the film is how bright it is, which few
-  // samples tell.
+  // Of a pooled film within a budget of time, where the pilot finds hardly any light.
   static constexpr double seed_share_of_rare_light = 1;
   std::uint64_t fewest_seeds = 1 << 15;  // samples, of all groups together
   // Of samples that no share asks for: where they are paths of hundreds of vertices without roulette, whose
