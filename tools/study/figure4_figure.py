@@ -83,10 +83,13 @@ def draw_panel(panel, row, method, samples):
 
 
 def draw_errors(panel, row, method, samples):
-    """Samples and relative RMSE above the panel, the pale film to the left."""
+    """Relative RMSE above the panel, the pale film's to the left; and of how many samples, if that is not what its
+    colour says, or for the dark one."""
     for n, is_pale in styled(samples):
         film, measured = row.films.get((method, n)), row.relative_mse((method, n))
-        words = f"{power_of_ten(film.samples if film else n)}: {error_text(*measured) if measured else '–'}"
+        words, made = error_text(*measured) if measured else "–", film.samples if film else n
+        if made != n or not is_pale:
+            words = f"{power_of_ten(made)}: {words}"
         panel.svg.text(panel.x if is_pale else panel.to_x(1), panel.y - 8.5, words, font_size=6,
                        text_anchor="start" if is_pale else "end", fill="#1f6fa3" if is_pale else DARK)
 
