@@ -21,6 +21,7 @@
 #include "lab/chain_findings.h"
 #include "lab/live_run.h"
 #include "lab/pilot_run.h"
+#include "lab/pooling_plan.h"
 #include "mlt/run/chain_groups.h"
 #include "mlt/run/large_film.h"
 #include "mlt/run/normalization.h"
@@ -70,11 +71,7 @@ class ChainRun final : public LiveRun {
   }
 
   bool takes_seeds() const override { return !groups_->is_started(); }
-  ChainSettings settings() const override {
-    ChainSettings now = settings_;
-    now.fewest_seeds = std::max(now.fewest_seeds, seeds_for_groups_);
-    return now;
-  }
+  ChainSettings settings() const override { return settings_; }
   void prepare() override {
     if (is_prepared() || run_.is_interrupted()) return;
     if (settings_.film_parts == FilmParts::chains) return adapt();
@@ -82,17 +79,16 @@ class ChainRun final : public LiveRun {
       return make_trial_(seed_of_pilot(run_.session().seed), kernel);
     };
     PilotRun pilot(make, kernel(), space_.scene().resolution(), run_);
-    const auto of_easy_light = this->of_easy_light(pilot.samples());
+    const PoolingPlanner planner(run_, settings_, bins());
+    const auto of_easy_light = planner.by_samples(pilot.samples());
     if (run_.is_interrupted()) return;
     if (of_easy_light) {
       keep_usual_kernel();
-      return pool(pilot.samples(), *of_easy_light);
+      return pool(*of_easy_light);
     }
     adapt();
-    const Pilot found = with_steps_per_seed(pilot.with_chains(kernel(), steps_per_chain()));
-    if (run_.is_interrupted()) return;
-    pool(found, settings_.seed_share ? with_seed_share(found, *settings_.seed_share)
-                                     : best_pooling(found, bins(), most_cost()));
+    const Pilot found = pilot.with_chains(kernel(), planner.steps_per_chain());
+    if (!run_.is_interrupted()) pool(planner.by_chains(found));
   }
   double seed_share() const override { return seed_share_; }
   SeedPass seeds() const override {
@@ -152,16 +148,16 @@ class ChainRun final : public LiveRun {
 
   void save(cereal::BinaryOutputArchive& archive) const override {
     const bool is_started = groups_->is_started();
-    archive(settings_.groups, chains_made_, settings_.chains_per_group, is_started, is_adapted_,
-            adaptation_, pooling_, seed_share_, seeds_for_groups_);
+    archive(settings_.groups, chains_made_, settings_.chains_per_group, settings_.steps_per_chain,
+            settings_.fewest_seeds, is_started, is_adapted_, adaptation_, pooling_, seed_share_);
     groups_->serialize_seeds(archive);
     if (is_started) groups_->serialize_chains(archive);
   }
   void load(cereal::BinaryInputArchive& archive) override {
     int groups = 0, made = 0, chains = 0;
     bool is_started = false;
-    archive(groups, made, chains, is_started, is_adapted_, adaptation_, pooling_, seed_share_,
-            seeds_for_groups_);
+    archive(groups, made, chains, settings_.steps_per_chain, settings_.fewest_seeds, is_started,
+            is_adapted_, adaptation_, pooling_, seed_share_);
     make_groups(groups, made);
     if (pooling_) groups_->pool(*pooling_);
     settings_.chains_per_group = chains;
@@ -182,15 +178,6 @@ class ChainRun final : public LiveRun {
         settings_(settings),
         seed_share_(settings.seed_share.value_or(ChainSettings::usual_seed_share)) {}
 
-  // Of the run, as far as it is known before it; of an error it is not.
-  double steps() const {
-    const auto most = static_cast<double>(settings_.steps_per_chain);
-    return expected_steps(run_).value_or(most * settings_.groups * settings_.chains_per_group);
-  }
-  double steps_per_chain() const {
-    const double all = steps();
-    return all / (settings_.groups * settings_.chains_for(static_cast<std::uint64_t>(all)));
-  }
   // Of a pilot, or of an adaptation.
   ChainSettings settings_of_trial() const {
     ChainSettings settings = settings_;
@@ -218,54 +205,13 @@ class ChainRun final : public LiveRun {
     is_adapted_ = true;
   }
   double kernel() const { return adaptation_ ? adaptation_->kernel : Adaptation{}.kernel; }
-  std::optional<Pooling> of_easy_light(const Pilot& samples) const {
-    if (settings_.seed_share) return {};
-    return pooling_of_easy_light(samples, bins(), most_cost());
-  }
-  Pilot with_steps_per_seed(Pilot pilot) const {
-    if (is_telling(pilot))
-      pilot.steps_per_seed =
-          steps() / static_cast<double>(std::max(settings_.fewest_seeds, seeds_for(pilot)));
-    return pilot;
-  }
-  void pool(const Pilot& pilot, const Pooling& pooling) {
-    pooling_ = pooling;
-    // Where samples go on beside the chains, seeds need no more than the fewest, or what it takes for
-    // the slice of a group to find light.
-    if (!settings_.seed_share && is_telling(pilot)) {
-      seed_share_ = 0;
-      seeds_for_groups_ = seeds_for(pilot);
-    }
-    if (!settings_.seed_share && finds_rare_light(pilot)) seed_share_ = seed_share_of_rare_light();
-    groups_->pool(pooling);
-  }
-  double seed_share_of_rare_light() const {
-    const bool is_of_time = std::holds_alternative<TimeBudget>(run_.session().budget);
-    return is_of_time ? ChainSettings::seed_share_of_rare_light : samples_per_step_of_rare_light;
-  }
-  double most_cost() const {
-    const bool is_of_steps = std::holds_alternative<SampleBudget>(run_.session().budget);
-    return is_of_steps ? most_cost_of_given_steps : usual_most_cost;
-  }
-  // All samples before the chains: of a budget of time the share is one of seconds.
-  Pooling with_seed_share(Pilot pilot, double share) const {
-    const bool is_of_time = std::holds_alternative<TimeBudget>(run_.session().budget);
-    const double cost = pooling(pilot, share, bins()).cost_of_sample;
-    const double samples_per_step = is_of_time && cost > 0 ? share / cost : share;
-    pilot.steps_per_seed = 1 / samples_per_step;
-    Pooling all_before = pooling(pilot, samples_per_step, bins());
-    all_before.samples_per_step = 0;
-    return all_before;
-  }
-  // So that the slice of a group carries so many effective samples; no more than the usual share.
-  std::uint64_t seeds_for(const Pilot& pilot) const {
-    constexpr double effective_samples_of_slice = 16;
-    double seeds =
-        effective_samples_of_slice * settings_.groups * pilot.samples / pilot.effective_samples();
-    if (const auto* budget = std::get_if<SampleBudget>(&run_.session().budget))
-      seeds =
-          std::min(seeds, ChainSettings::usual_seed_share * static_cast<double>(budget->samples));
-    return static_cast<std::uint64_t>(std::min(seeds, 1e9));
+  void pool(const PoolingPlan& plan) {
+    pooling_ = plan.pooling;
+    seed_share_ = plan.seed_share;
+    settings_ = plan.settings;
+    if (settings_.chains_per_group != chains_made_)
+      make_groups(settings_.groups, settings_.chains_per_group);
+    groups_->pool(*pooling_);
   }
 
   bool is_prepared() const {
@@ -288,11 +234,10 @@ class ChainRun final : public LiveRun {
   const char* method_;
   const Space& space_;
   const Run& run_;
-  ChainSettings settings_;                // chains_per_group: those that run
-  int chains_made_ = 0;                   // of each group, whether they run or not
-  std::uint64_t seeds_for_groups_ = 0;    // by the pilot
-  double seed_share_;                     // of the seed pass before the chains
-  bool is_adapted_ = true;                // or the kernel is given
+  ChainSettings settings_;  // once the pilot has run, as it says; of chains, those that run
+  int chains_made_ = 0;     // of each group, whether they run or not
+  double seed_share_;       // of the seed pass before the chains
+  bool is_adapted_ = true;  // or the kernel is given
   std::optional<Adaptation> adaptation_;  // if it was
   std::optional<Pooling> pooling_;        // once the pilot has run
   std::function<std::unique_ptr<Groups>(const ChainSettings&, std::uint64_t seed, double kernel)>

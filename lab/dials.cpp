@@ -8,7 +8,6 @@
 #include "lab/failure.h"
 #include "lab/nearest.h"
 #include "lab/parsing.h"
-#include "lab/pilot_run.h"
 
 namespace wander {
 
@@ -18,8 +17,11 @@ std::string chains_help() {
   constexpr ChainSettings usual;
   return fmt::format(
       "chains of all {0} groups together, a multiple of {0} (default: {0}, and up to {1} where the "
-      "budget gives each {2} mutations); the fewer, the longer",
-      usual.groups, usual.groups * usual.chains_per_group, usual.steps_per_chain);
+      "budget gives each {2} mutations, where samples hardly find light {3} and {4}); the fewer, "
+      "the "
+      "longer",
+      usual.groups, usual.groups * usual.chains_per_group, usual.steps_per_chain,
+      usual.groups * RareLight::chains_per_group, RareLight::steps_per_chain);
 }
 std::string seed_share_help() {
   return fmt::format(
@@ -27,8 +29,7 @@ std::string seed_share_help() {
       "second of the chains in a time budget (default: few, and then as many beside the chains as "
       "earn more than steps do; where samples hardly find light {} in a time budget, {} in one of "
       "samples; with --film chains, {})",
-      ChainSettings::seed_share_of_rare_light, samples_per_step_of_rare_light,
-      ChainSettings::usual_seed_share);
+      RareLight::seed_share_of_time, RareLight::samples_per_step, ChainSettings::usual_seed_share);
 }
 int parse_chains(std::string_view text) {
   constexpr int groups = ChainSettings{}.groups;

@@ -82,6 +82,13 @@ void need_of_pooling(MemoryNeed& need, const Size& size, double groups) {
   }
 }
 
+// Of a pooled film the pilot may ask for more.
+int most_chains_of_group(const ChainSettings& settings) {
+  const bool is_as_asked = settings.film_parts == FilmParts::chains || settings.has_given_chains();
+  return is_as_asked ? settings.chains_per_group
+                     : std::max(settings.chains_per_group, RareLight::chains_per_group);
+}
+
 void need_of_chains(MemoryNeed& need, const Size& size, const Job& job) {
   const ChainSettings& settings = job.dials().chains;
   const double groups = settings.groups;
@@ -107,7 +114,7 @@ void need_of_chains(MemoryNeed& need, const Size& size, const Job& job) {
   const bool is_sample = job.method().state == ChainState::numbers_of_sample;
   const double of_chain = ThinnedDraws::capacity * sizeof(Functionals) + of_start + of_path +
                           (is_sample ? of_splat * std::min(n * n, 4096.0) : 0);
-  const double of_each = is_path_of_numbers ? n - 1 : settings.chains_per_group;
+  const double of_each = is_path_of_numbers ? n - 1 : most_chains_of_group(settings);
   need.chains = groups * of_each * of_chain;
 }
 

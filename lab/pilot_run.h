@@ -17,10 +17,6 @@ namespace wander {
 // Few chains, so that they are long.
 inline constexpr int chains_of_pilot = 16;
 
-// Where samples hardly find light a film is as good as they are many: they tell how bright it is, and where chains
-// start, which hardly leave the places where they do.  Of the seed pass, for each step of a given number.
-inline constexpr double samples_per_step_of_rare_light = 4;
-
 // How many steps a run may make, all chains together; none where that is not known.
 inline std::optional<double> expected_steps(const Run& run) {
   constexpr double steps_per_second = 1e6;  // of a processor
@@ -86,7 +82,8 @@ class PilotRun {
   // Until they told enough.
   const Pilot& samples() const { return samples_; }
 
-  // And then steps, with a kernel that may have been found since.  `steps_per_chain`: of the run.
+  // And then steps, with a kernel that may have been found since: the trial of another begins anew, with its samples.
+  // `steps_per_chain`: of the run.
   Pilot with_chains(double kernel, double steps_per_chain) {
     budget_.go_on();
     if (kernel != kernel_) {

@@ -34,6 +34,16 @@ void require_of_some(const Dial& dial, std::span<const Method* const> methods) {
     require_dial(dial, *methods.front());
 }
 
+// A later one would undo the earlier.
+void require_once_each(std::span<const Setting> fixed) {
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    for (std::size_t j = i + 1; j < fixed.size(); ++j)
+      if (fixed[i].dial == fixed[j].dial)
+        throw UsageError(
+            fmt::format("--dial {0}={1} and {0}={2}: for both, write --sweep '{0}={1};{2}'",
+                        fixed[i].dial->word, fixed[i].value, fixed[j].value));
+}
+
 Entrant entrant(const Method& method, std::span<const Setting> fixed) {
   Entrant entrant{
       .contender = {.label = std::string(method.name), .method = std::string(method.name)},
@@ -152,6 +162,7 @@ Sweep parse_sweep(std::string_view text) {
 
 std::vector<Entrant> line_up(std::span<const Method* const> methods, std::span<const Setting> fixed,
                              std::span<const Sweep> sweeps, std::optional<int> max_vertices) {
+  require_once_each(fixed);
   for (const Setting& setting : fixed) require_of_some(*setting.dial, methods);
   for (const Sweep& sweep : sweeps) require_of_some(*sweep.dial, methods);
   Lineup lineup(max_vertices);

@@ -13,6 +13,15 @@ namespace wander {
 // or of a large film nothing but its raster.
 enum class FilmParts { chains, pooled, raster };
 
+// Where samples hardly find light (partition.h) a film is as good as they are many: they tell how bright it is, and
+// where chains start, which hardly leave the places where they do.  So the seed pass is long, and chains are many.
+struct RareLight {
+  // Of the seed pass: seconds per second of chains, samples per mutation of a given number.
+  static constexpr double seed_share_of_time = 1, samples_per_step = 4;
+  static constexpr int chains_per_group = 16;
+  static constexpr std::uint64_t steps_per_chain = 1 << 13;
+};
+
 struct ChainSettings {
   int groups = 64;  // independent: their spread is the error bar
   int chains_per_group = 4;
@@ -24,8 +33,6 @@ struct ChainSettings {
   // finds best, for a pooled film, or else the usual.
   std::optional<double> seed_share{};
   static constexpr double usual_seed_share = 0.25;
-  // Of a pooled film within a budget of time, where the pilot finds hardly any light.
-  static constexpr double seed_share_of_rare_light = 1;
   std::uint64_t fewest_seeds = 1 << 15;  // samples, of all groups together
   // Of samples that no share asks for: where they are paths of hundreds of vertices without roulette, whose
   // square is what a sample costs, fewer must do.
@@ -33,9 +40,10 @@ struct ChainSettings {
   NormalizationMethod normalization = NormalizationMethod::bridge;
   FilmLayout film{};
 
+  bool has_given_chains() const { return steps_per_chain == 0; }
   // Of each group, where all make so many steps together.
   int chains_for(std::uint64_t steps) const {
-    if (steps_per_chain == 0) return chains_per_group;
+    if (has_given_chains()) return chains_per_group;
     const std::uint64_t enough = steps / steps_per_chain / static_cast<std::uint64_t>(groups);
     return static_cast<int>(
         std::clamp<std::uint64_t>(enough, 1, static_cast<std::uint64_t>(chains_per_group)));

@@ -142,6 +142,14 @@ TEST(LineUp, RefusesTheSameContenderTwice) {
   EXPECT_NE(usage_error([] { line_up("mlt", {}, {"large_step=0.3,0.3"}); }), "");
 }
 
+TEST(LineUp, RefusesADialThatIsTurnedTwice) {
+  EXPECT_EQ(usage_error([] {
+              line_up("mlt", {"chains=128", "chains=512"}, {});
+            }),
+            "--dial chains=128 and chains=512: for both, write --sweep 'chains=128;512'");
+  EXPECT_EQ(usage_error([] { line_up("mlt", {"chains=128", "large_step=0.5"}, {}); }), "");
+}
+
 TEST(Budgets, AreSortedAndAllOfOneKind) {
   const auto budgets = parse_budgets("4s,0.25s,1s");
   ASSERT_EQ(budgets.size(), 3u);

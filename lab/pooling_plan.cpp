@@ -1,0 +1,83 @@
+#include "lab/pooling_plan.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "lab/pilot_run.h"
+
+namespace wander {
+
+std::optional<PoolingPlan> PoolingPlanner::by_samples(const Pilot& samples) const {
+  if (settings_.seed_share) return {};
+  const auto pooling = pooling_of_easy_light(samples, bins_, most_cost());
+  return pooling ? std::optional(plan(samples, *pooling)) : std::nullopt;
+}
+
+PoolingPlan PoolingPlanner::by_chains(Pilot pilot) const {
+  if (is_telling(pilot))
+    pilot.steps_per_seed =
+        steps() / static_cast<double>(std::max(settings_.fewest_seeds, seeds_for(pilot)));
+  return plan(pilot, settings_.seed_share ? with_seed_share(pilot, *settings_.seed_share)
+                                          : best_pooling(pilot, bins_, most_cost()));
+}
+
+double PoolingPlanner::steps_per_chain() const {
+  const double all = steps();
+  return all / (settings_.groups * settings_.chains_for(static_cast<std::uint64_t>(all)));
+}
+
+// Of an error it is not known.
+double PoolingPlanner::steps() const {
+  const auto most = static_cast<double>(settings_.steps_per_chain);
+  return expected_steps(run_).value_or(most * settings_.groups * settings_.chains_per_group);
+}
+
+double PoolingPlanner::most_cost() const {
+  const bool is_of_steps = std::holds_alternative<SampleBudget>(run_.session().budget);
+  return is_of_steps ? most_cost_of_given_steps : usual_most_cost;
+}
+
+bool PoolingPlanner::is_of_time() const {
+  return std::holds_alternative<TimeBudget>(run_.session().budget);
+}
+
+PoolingPlan PoolingPlanner::plan(const Pilot& pilot, const Pooling& pooling) const {
+  PoolingPlan made{pooling, settings_,
+                   settings_.seed_share.value_or(ChainSettings::usual_seed_share)};
+  // Where samples go on beside the chains, seeds need no more than the fewest, or what it takes for
+  // the slice of a group to find light.
+  if (!settings_.seed_share && is_telling(pilot)) {
+    made.seed_share = 0;
+    made.settings.fewest_seeds = std::max(settings_.fewest_seeds, seeds_for(pilot));
+  }
+  if (!finds_rare_light(pilot)) return made;
+  if (!settings_.seed_share)
+    made.seed_share = is_of_time() ? RareLight::seed_share_of_time : RareLight::samples_per_step;
+  if (!settings_.has_given_chains()) {
+    made.settings.chains_per_group = RareLight::chains_per_group;
+    made.settings.steps_per_chain = RareLight::steps_per_chain;
+  }
+  return made;
+}
+
+// All samples before the chains: of a budget of time the share is one of seconds.
+Pooling PoolingPlanner::with_seed_share(Pilot pilot, double share) const {
+  const double cost = pooling(pilot, share, bins_).cost_of_sample;
+  const double samples_per_step = is_of_time() && cost > 0 ? share / cost : share;
+  pilot.steps_per_seed = 1 / samples_per_step;
+  Pooling all_before = pooling(pilot, samples_per_step, bins_);
+  all_before.samples_per_step = 0;
+  return all_before;
+}
+
+// So that the slice of a group carries so many effective samples; no more than the usual share.
+std::uint64_t PoolingPlanner::seeds_for(const Pilot& pilot) const {
+  constexpr double effective_samples_of_slice = 16;
+  double seeds =
+      effective_samples_of_slice * settings_.groups * pilot.samples / pilot.effective_samples();
+  if (const auto* budget = std::get_if<SampleBudget>(&run_.session().budget))
+    seeds = std::min(seeds, ChainSettings::usual_seed_share * static_cast<double>(budget->samples));
+  return static_cast<std::uint64_t>(std::min(seeds, 1e9));
+}
+
+}  // namespace wander

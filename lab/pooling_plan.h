@@ -1,0 +1,46 @@
+// What a run of chains decides by its pilot, before its first sample: how its film is shared out between samples and
+// chains (mlt/run/partition.h), how long its seed pass is, and how many chains there are.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "mlt/run/chain_settings.h"
+#include "mlt/run/pilot.h"
+#include "work/parallel.h"
+
+namespace wander {
+
+struct PoolingPlan {
+  Pooling pooling;
+  ChainSettings settings;  // of the run, with as many chains and seeds as the pilot says
+  double seed_share;       // of the seed pass before the chains
+};
+
+class PoolingPlanner {
+ public:
+  // `settings`: as the run was asked for.  `bins`: of its film, in all channels.
+  PoolingPlanner(const Run& run, const ChainSettings& settings, std::size_t bins)
+      : run_(run), settings_(settings), bins_(bins) {}
+
+  // Where samples alone decide; or else chains have to be asked.
+  std::optional<PoolingPlan> by_samples(const Pilot& samples) const;
+  PoolingPlan by_chains(Pilot pilot) const;
+
+  // As far as it is known before the run.
+  double steps_per_chain() const;
+
+ private:
+  double steps() const;
+  double most_cost() const;
+  bool is_of_time() const;
+  PoolingPlan plan(const Pilot& pilot, const Pooling& pooling) const;
+  Pooling with_seed_share(Pilot pilot, double share) const;
+  std::uint64_t seeds_for(const Pilot& pilot) const;
+
+  const Run& run_;
+  const ChainSettings& settings_;
+  std::size_t bins_;
+};
+
+}  // namespace wander
