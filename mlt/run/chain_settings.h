@@ -18,8 +18,8 @@ enum class FilmParts { chains, pooled, raster };
 struct RareLight {
   // Of the seed pass: seconds per second of chains, samples per mutation of a given number.
   static constexpr double seed_share_of_time = 1, samples_per_step = 4;
-  static constexpr int chains_per_group = 16;
-  static constexpr std::uint64_t steps_per_chain = 1 << 13;
+  static constexpr int chains_per_group = 8;
+  static constexpr std::uint64_t steps_per_chain = 1 << 14;
 };
 
 struct ChainSettings {
