@@ -17,9 +17,8 @@ std::string chains_help() {
   constexpr ChainSettings usual;
   return fmt::format(
       "chains of all {0} groups together, a multiple of {0} (default: {0}, and up to {1} where the "
-      "budget gives each {2} mutations, where samples hardly find light {3} and {4}); the fewer, "
-      "the "
-      "longer",
+      "budget gives each {2} mutations; of a pooled film where samples hardly find light, {3} and "
+      "{4}); the fewer, the longer",
       usual.groups, usual.groups * usual.chains_per_group, usual.steps_per_chain,
       usual.groups * RareLight::chains_per_group, RareLight::steps_per_chain);
 }

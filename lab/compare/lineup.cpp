@@ -40,7 +40,8 @@ void require_once_each(std::span<const Setting> fixed) {
     for (std::size_t j = i + 1; j < fixed.size(); ++j)
       if (fixed[i].dial == fixed[j].dial)
         throw UsageError(
-            fmt::format("--dial {0}={1} and {0}={2}: for both, write --sweep '{0}={1};{2}'",
+            fmt::format("--dial turns {0} twice, to {1} and to {2}; leave one, or sweep it: "
+                        "--sweep '{0}={1};{2}'",
                         fixed[i].dial->word, fixed[i].value, fixed[j].value));
 }
 

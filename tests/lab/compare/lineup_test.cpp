@@ -146,7 +146,9 @@ TEST(LineUp, RefusesADialThatIsTurnedTwice) {
   EXPECT_EQ(usage_error([] {
               line_up("mlt", {"chains=128", "chains=512"}, {});
             }),
-            "--dial chains=128 and chains=512: for both, write --sweep 'chains=128;512'");
+            "--dial turns chains twice, to 128 and to 512; leave one, or sweep it: --sweep "
+            "'chains=128;512'");
+  EXPECT_NE(usage_error([] { line_up("mlt", {"chains=128", "chains=128"}, {}); }), "");
   EXPECT_EQ(usage_error([] { line_up("mlt", {"chains=128", "large_step=0.5"}, {}); }), "");
 }
 
