@@ -28,6 +28,23 @@ void LengthFilms::clear() {
   for (auto& film : films_) std::ranges::fill(film, Sum{});
 }
 
+double LengthFilms::of_bin(std::size_t bin) const {
+  Sum all;
+  for (const auto& film : films_)
+    if (!film.empty()) all += film[bin];
+  return all.value();
+}
+
+std::vector<double> LengthFilms::by_length() const {
+  std::vector<double> sums;
+  for (const auto& film : films_) {
+    Sum all;
+    for (const Sum& x : film) all += x;
+    sums.push_back(all.value());
+  }
+  return sums;
+}
+
 std::map<int, std::vector<double>> LengthFilms::scaled(double factor) const {
   std::map<int, std::vector<double>> films;
   for (std::size_t k = 0; k < films_.size(); ++k) {

@@ -43,8 +43,13 @@ class LengthFilms {
     if (film.empty()) film.resize(static_cast<std::size_t>(bins_));
     film[static_cast<std::size_t>(bin)] += value;
   }
+  bool keeps_any() const { return !films_.empty(); }
   void merge(const LengthFilms& other);
   void clear();
+  // Of a bin, over all lengths.
+  double of_bin(std::size_t bin) const;
+  // Over the whole film, by number of vertices - 2.
+  std::vector<double> by_length() const;
   std::map<int, std::vector<double>> scaled(double factor) const;
 
   template <class Archive>

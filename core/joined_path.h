@@ -25,6 +25,10 @@ class JoinedPath {
     else
       return W::Tint::of(tint_.colour);
   }
+  const Vertex<W>& operator[](int i) const {
+    if (i < begin_) return light_[i];
+    return i < end_ || i + 2 >= size() ? joined_[i] : sensor_[sensor_.size() - size() + i];
+  }
   // Of which the last two vertices can be read.
   const Path<W>& ends() const { return joined_; }
   const Path<W>& whole() const {

@@ -16,18 +16,13 @@ using PathClass = std::uint64_t;
 inline constexpr PathClass other_class = 0;
 inline constexpr int most_classified = 65;  // vertices
 
-template <class W>
-PathClass path_class_of(const Path<W>& x) {
+// Of a Path or a JoinedPath.
+template <class P>
+PathClass path_class_of(const P& x) {
   if (x.size() > most_classified) return other_class;
   PathClass code = 1;
   for (int i = 1; i + 1 < x.size(); ++i) code = 2 * code + (is_specular(x[i].event) ? 1 : 0);
   return code;
-}
-
-// Long paths are not made whole for it.
-template <class W>
-PathClass path_class_of(const JoinedPath<W>& x) {
-  return path_class_of(x.size() > most_classified ? x.ends() : x.whole());
 }
 
 // Such as LDSE; "other" for the number 0.

@@ -28,10 +28,11 @@ SharesOfParts parts_of(std::span<const GroupFindings> groups) {
         parts[name_of_class(each.path_class)].chains += each.light;
       continue;
     }
-    for (std::size_t k = 0; k < group.seeds->sum.size(); ++k) {
+    const std::vector<double> deposits = group.film->by_length();
+    for (std::size_t k = 0; k < deposits.size(); ++k) {
       ShareOfPart& part = parts[fmt::format("of {} vertices", k + 2)];
       part.seeds += group.seeds->sum[k].value();
-      part.chains += group.scale * group.film->by_length()[k].value();
+      part.chains += group.scale * deposits[k];
     }
   }
   return parts;

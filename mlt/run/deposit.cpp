@@ -15,6 +15,13 @@ int number_of_bins(const std::vector<int>& resolution) {
 
 }  // namespace
 
+std::vector<double> GroupFilm::by_length() const {
+  if (lengths_.keeps_any()) return lengths_.by_length();
+  std::vector<double> sums;
+  for (const Sum& x : by_length_) sums.push_back(x.value());
+  return sums;
+}
+
 GroupsFilm::GroupsFilm(std::vector<int> resolution)
     : resolution_(std::move(resolution)),
       mean_(static_cast<std::size_t>(number_of_bins(resolution_))),

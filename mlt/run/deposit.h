@@ -16,7 +16,8 @@
 namespace wander {
 
 // The deposits of one group of chains: its film, or of a large one a raster, while the pixels are in
-// a film that it shares with other groups.
+// a film that it shares with other groups.  A deposit is added once: to the film of its length, where these are
+// kept, of which all else is a sum.
 class GroupFilm {
  public:
   // A film in one dimension.
@@ -24,12 +25,14 @@ class GroupFilm {
   // Of this shape.
   GroupFilm(std::span<const int> film, int max_vertices, const FilmLayout& layout)
       : raster_(layout.raster(film)),
-        weights_(raster_.cells()),
-        by_length_(static_cast<std::size_t>(max_vertices) - 1),
         lengths_(static_cast<int>(raster_.cells()),
                  !layout.is_large(film) && layout.keeps_lengths(film, max_vertices)
                      ? max_vertices - 1
-                     : 0) {}
+                     : 0) {
+    if (lengths_.keeps_any()) return;
+    weights_.resize(raster_.cells());
+    by_length_.resize(static_cast<std::size_t>(max_vertices) - 1);
+  }
 
   // Before the first deposit, of a large film: where its pixels are; there a deposit counts so many
   // times.
@@ -45,22 +48,22 @@ class GroupFilm {
   // Of luminance `weight`.
   template <int Channels = 1>
   void add(int vertices, int bin, double weight, const Tint<Channels>& colour = {}) {
-    const std::size_t cell = raster_.cell(bin);
-    weights_[cell] += weight;
+    if (lengths_.keeps_any()) return lengths_.add(vertices, bin, weight);
+    weights_[raster_.cell(bin)] += weight;
     by_length_[static_cast<std::size_t>(vertices) - 2] += weight;
     if (pixels_)
       pixels_->add(vertices, bin, factor_ * weight, colour);
     else if (total_)
       total_->add(bin, factor_ * weight, colour);
-    else
-      lengths_.add(vertices, bin, weight);
   }
-  double weight(std::size_t bin) const { return weights_[bin].value(); }
+  double weight(std::size_t bin) const {
+    return lengths_.keeps_any() ? lengths_.of_bin(bin) : weights_[bin].value();
+  }
   // Of the raster.
-  std::size_t bins() const { return weights_.size(); }
+  std::size_t bins() const { return raster_.cells(); }
   const std::vector<int>& shape() const { return raster_.shape(); }
   // Of paths of n vertices over the whole film, at n - 2.
-  const std::vector<Sum>& by_length() const { return by_length_; }
+  std::vector<double> by_length() const;
   const LengthFilms& lengths() const { return lengths_; }
 
   template <class Archive>
@@ -70,8 +73,8 @@ class GroupFilm {
 
  private:
   Raster raster_;
-  std::vector<Sum> weights_, by_length_;
   LengthFilms lengths_;
+  std::vector<Sum> weights_, by_length_;  // where no films of lengths are kept
   SharedFilm* pixels_ = nullptr;
   TotalFilm* total_ = nullptr;
   double factor_ = 1;

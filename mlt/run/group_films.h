@@ -88,13 +88,13 @@ class SampleWatcher {
  public:
   using W = typename Space::Universe;
 
-  SampleWatcher(const Space& space, PooledParts& parts) : space_(&space), parts_(&parts) {}
+  explicit SampleWatcher(PooledParts& parts) : parts_(&parts) {}
 
   // By the balance heuristic w f/p is l, or the part of it that a path is of a sample.
-  void found(const JoinedPath<W>& x, int technique, double light) {
+  void found(const JoinedPath<W>& x, int bin, int technique, double light) {
     if (R == Ratios::of_paths && parts_->takes_paths())
-      return parts_->add_path(x.size(), space_->bin(x.ends()), light, light);
-    sample_.push_back({x.size(), technique, space_->bin(x.ends()), light});
+      return parts_->add_path(x.size(), bin, light, light);
+    sample_.push_back({x.size(), technique, bin, light});
     if constexpr (W::channels > 1) sample_.back().tint = x.colour().colour;
   }
   void end_sample(double total) {
@@ -106,7 +106,6 @@ class SampleWatcher {
   }
 
  private:
-  const Space* space_;
   PooledParts* parts_;
   Contributions sample_;  // under way
 };

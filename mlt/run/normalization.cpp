@@ -102,7 +102,7 @@ std::vector<LengthShare> shares_of_lengths(std::span<const GroupFindings> groups
                                            const Constant& constant) {
   std::vector<std::vector<double>> light;
   for (const GroupFindings& group : groups) {
-    light.push_back(values(group.film->by_length()));
+    light.push_back(group.film->by_length());
     for (double& value : light.back()) value *= group.scale;
   }
   const RatioJackknife film(light, weights_of(groups));

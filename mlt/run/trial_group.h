@@ -22,7 +22,7 @@ class TrialGroup {
 
   static constexpr std::span<const std::string_view> move_names() { return Chains::move_names(); }
   void add_seeds(std::uint64_t count) {
-    source_.add_seeds(count, SampleLogger<Space, Chains::Seeds::ratios>(source_.space(), log_));
+    source_.add_seeds(count, SampleLogger<Space, Chains::Seeds::ratios>(log_));
   }
   const SeedTally& tally() const { return source_.tally(); }
   const SeedTally& seed_tally() const { return source_.seed_tally(); }

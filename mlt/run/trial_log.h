@@ -50,11 +50,10 @@ class SampleLogger {
  public:
   using W = typename Space::Universe;
 
-  SampleLogger(const Space& space, TrialLog& log)
-      : space_(&space), log_(&log), begin_(log.found.size()) {}
+  explicit SampleLogger(TrialLog& log) : log_(&log), begin_(log.found.size()) {}
 
-  void found(const JoinedPath<W>& x, int /*technique*/, double light) {
-    log_->found.push_back({log_->samples, space_->bin(x.ends()), light, light});
+  void found(const JoinedPath<W>&, int bin, int /*technique*/, double light) {
+    log_->found.push_back({log_->samples, bin, light, light});
   }
   void end_sample(double total) {
     if constexpr (R == Ratios::of_samples)
@@ -64,7 +63,6 @@ class SampleLogger {
   }
 
  private:
-  const Space* space_;
   TrialLog* log_;
   std::size_t begin_;  // of the sample under way
 };

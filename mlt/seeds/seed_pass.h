@@ -50,7 +50,7 @@ struct SeedEvidence {
 struct NoWatcher {
   // A path of the sample under way.
   template <class W>
-  void found(const JoinedPath<W>&, int /*technique*/, double /*w f/p*/) {}
+  void found(const JoinedPath<W>&, int /*bin*/, int /*technique*/, double /*w f/p*/) {}
   // Its light in all.
   void end_sample(double) {}
 };
@@ -143,8 +143,9 @@ class SeedSlice {
       tally_.total += weight;
       if constexpr (Seeds::ratios == Ratios::of_paths)
         evidence_.ratios[Seeds::stratum(x.size())].add(weight);
-      if (takes_seeds_) keep(x, {index, x.size(), s, weight});
-      watcher.found(x, s, weight);
+      const int bin = space_->bin(x.ends());
+      if (takes_seeds_) keep(x, bin, {index, x.size(), s, weight});
+      watcher.found(x, bin, s, weight);
     });
     tally_.rays += sampler_.rays() - rays;
     watcher.end_sample(total);
@@ -161,11 +162,11 @@ class SeedSlice {
   }
 
   // A path that may become a seed.
-  void keep(const JoinedPath<W>& x, const Seed& seed) {
+  void keep(const JoinedPath<W>& x, int bin, const Seed& seed) {
     seeds_.offer_path(seed);
     if (tally_.techniques.has(seed.vertices))
       tally_.techniques.row(seed.vertices)[static_cast<std::size_t>(seed.technique)] += seed.weight;
-    evidence_.film[raster_.cell(space_->bin(x.ends()))] += seed.weight;
+    evidence_.film[raster_.cell(bin)] += seed.weight;
     evidence_.by_class[evidence_.classes.index(path_class_of(x))] += seed.weight;
   }
 

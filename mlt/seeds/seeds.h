@@ -2,7 +2,9 @@
 // paths of each length, or whole samples, in proportion to w f / p.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/path_space.h"
@@ -29,29 +31,46 @@ struct Seed {
 // samples, which is one.
 enum class Ratios { of_paths, of_samples };
 
-// Independent draws from one stream of candidates.
+// Independent draws from one stream of candidates: each replaces each seed with probability w_i / W_i, where
+// W_i is the sum of the weights so far.  A seed taken at W_a outlives all candidates up to i with probability
+//   Π_{a<j≤i} (1 - w_j / W_j) = W_a / W_i,
+// so one number u, drawn when it is taken, says which replaces it: the first with W_i > W_a / (1 - u)
+// [as the jumps of Efraimidis and Spirakis 2006].
 class Reservoirs {
  public:
-  explicit Reservoirs(int count) : seeds_(static_cast<std::size_t>(count)) {}
+  explicit Reservoirs(int count) : kept_(static_cast<std::size_t>(count)) {}
 
-  // Each seed is replaced with probability weight / Σ weights so far.
   template <class Random>
   void offer(const Seed& candidate, Random& random) {
     total_ += candidate.weight;
-    const double share = candidate.weight / total_.value();
-    for (Seed& seed : seeds_)
-      if (random.uniform() < share) seed = candidate;
+    const double total = total_.value();
+    if (!(total > first_end_)) return;
+    first_end_ = std::numeric_limits<double>::infinity();
+    for (Kept& kept : kept_) {
+      if (total > kept.end) kept = {candidate, total / (1 - random.uniform())};
+      first_end_ = std::min(first_end_, kept.end);
+    }
   }
-  const Seed& operator[](int i) const { return seeds_[static_cast<std::size_t>(i)]; }
+  const Seed& operator[](int i) const { return kept_[static_cast<std::size_t>(i)].seed; }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(seeds_, total_);
+    archive(kept_, total_, first_end_);
   }
 
  private:
-  std::vector<Seed> seeds_;
+  struct Kept {
+    Seed seed{};
+    double end = 0;  // of the sums up to which it stays
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(seed, end);
+    }
+  };
+  std::vector<Kept> kept_;
   Sum total_;
+  double first_end_ = 0;
 };
 
 // Beside drawing, each kind of seeds says among which strata the states of its chains are compared

@@ -40,7 +40,15 @@ void expect_measured_as_a_whole(const char* name, const TechniqueSet& set, int c
                      [&](const auto& space, auto& sampler, Rng& numbers, auto) {
                        sampler.sample(numbers, [&](const JoinedPath<W>& x, int s, double weight) {
                          ++paths;
+                         std::vector<Vertex<W>> vertices;
+                         for (int i = 0; i < x.size(); ++i) vertices.push_back(x[i]);
                          const Path<W>& whole = x.whole();
+                         for (int i = 0; i < x.size(); ++i) {
+                           const Vertex<W>& vertex = vertices[static_cast<std::size_t>(i)];
+                           ASSERT_EQ(vertex.place.position, whole[i].place.position)
+                               << name << ": " << i;
+                           ASSERT_EQ(vertex.event, whole[i].event) << name << ": " << i;
+                         }
                          const auto sides = sides_of(space, whole, s, {set, Heuristic::power});
                          ASSERT_EQ(weight, weighted_contribution(whole, s, sides))
                              << name << ": " << whole.size() << ' ' << s;

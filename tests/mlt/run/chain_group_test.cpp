@@ -90,8 +90,11 @@ TEST_F(PathGroups, CompareTheirStatesWithSamples) {
   const PathChains<Flat, Family> states(space_, family_, seed, group, chains);
   const Flat of_samples = space_.with(Roulette::by_albedo);
   double least = 1;
-  for (int k = 0; k < chains; ++k) {
-    Path<W> x = slice_.replay(slice_.seed(k), space_.max_vertices()), sample = x;
+  constexpr int paths = 32;  // so that some are long enough for roulette
+  SeedSlice<Flat> slice(space_, seed, group, paths);
+  slice.run(samples);
+  for (int k = 0; k < paths; ++k) {
+    Path<W> x = slice.replay(slice.seed(k), space_.max_vertices()), sample = x;
     for (int i = 0; i < x.size(); ++i) of_samples.evaluate(sample, i);
     weigh(space_, x);
     weigh(of_samples, sample);

@@ -61,6 +61,32 @@ TEST_P(Deposit, OfNStepsSumsToNAndNeverFallsOutside) {
   EXPECT_NEAR(by_length, steps, 1e-6);
 }
 
+// By bin and by length, whether films of each length are kept or not.
+TEST(GroupFilm, SumsAreThoseOfItsDepositsWithFilmsOfLengthsAndWithout) {
+  constexpr int bins = 1 << 14, vertices = 1100;
+  FilmLayout keeps;
+  keeps.by_length = Keep::always;
+  ASSERT_FALSE(FilmLayout{}.keeps_lengths(std::array{bins}, vertices));
+  for (const FilmLayout& layout : {FilmLayout{}, keeps}) {
+    GroupFilm film(std::array{bins}, vertices, layout);
+    film.add(2, 0, 1.0);
+    film.add(2, bins - 1, 2.0);
+    film.add(vertices, bins - 1, 4.0);
+    film.add(7, 5, 8.0);
+    film.add(7, 5, 0.5);
+    EXPECT_EQ(film.bins(), std::size_t{bins});
+    EXPECT_EQ(film.weight(0), 1);
+    EXPECT_EQ(film.weight(5), 8.5);
+    EXPECT_EQ(film.weight(bins - 1), 6);
+    EXPECT_EQ(total(film), 15.5);
+    std::vector<double> expected(vertices - 1);
+    expected.front() = 3;
+    expected[5] = 8.5;
+    expected.back() = 4;
+    EXPECT_EQ(film.by_length(), expected);
+  }
+}
+
 // One step deposits 1 - a at x and a at y, whatever was decided.
 TEST(DepositOfOneStep, IsSharedByTheTwoPathsInProportionToTheAcceptance) {
   const FlatScene scene = build(diffuse_room());

@@ -14,24 +14,32 @@
 namespace wander::test::reservoirs_test {
 namespace {
 
-// A uniform number that is not drawn before it is compared: u < share is a choice of two.
-class Undrawn {
- public:
-  explicit Undrawn(Enumeration& choices) : choices_(choices) {}
-  bool operator<(double share) const {
-    return choices_.choose(std::array<double, 2>{share, 1 - share}) == 0;
-  }
+using Weights = std::vector<double>;
 
- private:
-  Enumeration& choices_;
-};
-struct UndrawnNumbers {
+// Numbers that a reservoir draws while it is offered candidate `at`.  What comes of one depends only on between
+// which of 1 - W_at / W_k, k ≥ at, it lies: one of each interval stands for all, with the interval's probability.
+struct NumbersByInterval {
   Enumeration& choices;
-  Undrawn uniform() { return Undrawn(choices); }
+  std::vector<double> sums;  // W
+  std::size_t at = 0;
+
+  double uniform() {
+    std::vector<double> ends;
+    for (std::size_t k = at; k < sums.size(); ++k) ends.push_back(1 - sums[at] / sums[k]);
+    ends.push_back(1);
+    std::vector<double> lengths;
+    for (std::size_t k = 0; k + 1 < ends.size(); ++k) lengths.push_back(ends[k + 1] - ends[k]);
+    const auto k = static_cast<std::size_t>(choices.choose(lengths));
+    return (ends[k] + ends[k + 1]) / 2;
+  }
 };
+std::vector<double> sums_of(const Weights& weights) {
+  std::vector<double> sums(weights.size());
+  std::partial_sum(weights.begin(), weights.end(), sums.begin());
+  return sums;
+}
 
 constexpr int seeds = 2;
-using Weights = std::vector<double>;
 // The probability of each pair of candidates, as the two seeds.
 using Pairs = std::map<std::array<std::uint64_t, seeds>, double>;
 
@@ -41,9 +49,9 @@ Pairs pairs_of(const Weights& weights) {
   Enumeration choices;
   do {
     Kept kept(seeds);
-    UndrawnNumbers random{choices};
-    for (std::size_t i = 0; i < weights.size(); ++i)
-      kept.offer(Seed{.sample = i, .vertices = 2, .technique = 0, .weight = weights[i]}, random);
+    NumbersByInterval random{choices, sums_of(weights)};
+    for (; random.at < weights.size(); ++random.at)
+      kept.offer(Seed{random.at, 2, 0, weights[random.at]}, random);
     pairs[{kept[0].sample, kept[1].sample}] += choices.probability();
   } while (choices.advance());
   return pairs;
@@ -89,23 +97,27 @@ TEST(Reservoirs, HoldEachCandidateInProportionToItsWeightIndependently) {
 class Twin {
  public:
   explicit Twin(int count) : kept_(static_cast<std::size_t>(count)) {}
-  const Seed& operator[](int i) const { return kept_[static_cast<std::size_t>(i)]; }
+  const Seed& operator[](int i) const { return kept_[static_cast<std::size_t>(i)].seed; }
 
  protected:
-  std::vector<Seed> kept_;
+  struct Kept {
+    Seed seed{};
+    double end = 0;
+  };
+  std::vector<Kept> kept_;
   double total_ = 0;
 };
 
-// Of the weights so far it forgets that of the candidate, but for the first.
+// Of the weights so far it forgets that of the candidate.
 class ForgetsTheCandidate : public Twin {
  public:
   using Twin::Twin;
   template <class Random>
   void offer(const Seed& candidate, Random& random) {
-    const double share = total_ > 0 ? std::min(1.0, candidate.weight / total_) : 1;
+    const double before = total_;
     total_ += candidate.weight;
-    for (Seed& seed : kept_)
-      if (random.uniform() < share) seed = candidate;
+    for (Kept& kept : kept_)
+      if (total_ > kept.end) kept = {candidate, before / (1 - random.uniform())};
   }
 };
 // Each seed has the right law, but they are all the same.
@@ -115,7 +127,8 @@ class DrawsOnceForAll : public Twin {
   template <class Random>
   void offer(const Seed& candidate, Random& random) {
     total_ += candidate.weight;
-    if (random.uniform() < candidate.weight / total_) kept_.assign(kept_.size(), candidate);
+    if (!(total_ > kept_.front().end)) return;
+    kept_.assign(kept_.size(), {candidate, total_ / (1 - random.uniform())});
   }
 };
 

@@ -164,15 +164,18 @@ TEST_P(SeedPass, AGroupChoosesItsSeedsWithItsOwnNumbers) {
   constexpr int chains = 5;
   for (const int group : {0, 3}) {
     std::array<Seed, chains> expected;
+    std::array<double, chains> ends{};
     Rng random(10, Purpose::resample, static_cast<std::uint32_t>(group));
     Sum total;
     std::uint64_t sample = ~std::uint64_t{0};
     for (const Found& f : paths_of_slice(space_, 10, group, 400)) {
       if (f.sample != sample) random.start(sample = f.sample);
       total += f.weight;
-      for (Seed& seed : expected)
-        if (random.uniform() < f.weight / total.value())
-          seed = {f.sample, f.path.size(), f.technique, f.weight};
+      for (std::size_t k = 0; k < chains; ++k) {
+        if (total.value() <= ends[k]) continue;
+        expected[k] = {f.sample, f.path.size(), f.technique, f.weight};
+        ends[k] = total.value() / (1 - random.uniform());
+      }
     }
     SeedSlice<Flat> slice(space_, 10, group, chains);
     slice.run(400);
