@@ -2,15 +2,12 @@
 #pragma once
 
 #include <algorithm>
-#include <cereal/archives/binary.hpp>
 #include <memory>
 #include <optional>
-#include <sstream>
-#include <string>
 #include <variant>
 #include <vector>
 
-#include "lab/archived_sums.h"
+#include "lab/copied_seeds.h"
 #include "lab/pilot_run.h"
 #include "mlt/run/adaptation.h"
 #include "mlt/run/chain_settings.h"
@@ -128,18 +125,13 @@ class AdaptationRun {
     if (!is_telling(found)) return false;
     if (parts_ == FilmParts::pooled)
       pooling_ = Pooling{.partition = best_pooling(found, bins_).partition};
-    std::ostringstream bytes;
-    cereal::BinaryOutputArchive archive(bytes);
-    groups->serialize_seeds(archive);
-    seeds_ = std::move(bytes).str();
+    seeds_ = CopiedSeeds(*groups);
     return true;
   }
 
   auto started(double factor) const {
     auto groups = make_(factor);
-    std::istringstream bytes(seeds_);
-    cereal::BinaryInputArchive archive(bytes);
-    groups->serialize_seeds(archive);
+    seeds_.give(*groups);
     if (pooling_) groups->pool(*pooling_);
     groups->start(1);
     return groups;
@@ -165,7 +157,7 @@ class AdaptationRun {
   const Run& run_;
   AdaptationBudget budget_;
   std::optional<Pooling> pooling_;
-  std::string seeds_;
+  CopiedSeeds seeds_;
 };
 
 }  // namespace wander

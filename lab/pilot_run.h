@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "lab/copied_seeds.h"
 #include "mlt/run/chain_settings.h"
 #include "mlt/run/pilot.h"
 #include "work/parallel.h"
@@ -39,7 +40,6 @@ class PilotBudget {
     const auto* time = std::get_if<TimeBudget>(&run_.session().budget);
     return run_.is_interrupted() || (time && spent() > share * time->seconds);
   }
-  void restart() { begin_ = run_.spent(); }
   // What is spent between the two is spent on something else.
   void pause() { paused_ = run_.spent(); }
   void go_on() { begin_ += run_.spent() - paused_; }
@@ -74,7 +74,11 @@ template <class Make>
 class PilotRun {
  public:
   PilotRun(const Make& make, double kernel, std::span<const int> resolution, const Run& run)
-      : make_(make), kernel_(kernel), resolution_(resolution), budget_(run, resolution) {
+      : make_(make),
+        kernel_(kernel),
+        resolution_(resolution),
+        budget_(run, resolution),
+        trial_(make_(kernel)) {
     make_samples();
     budget_.pause();
   }
@@ -82,14 +86,14 @@ class PilotRun {
   // Until they told enough.
   const Pilot& samples() const { return samples_; }
 
-  // And then steps, with a kernel that may have been found since: the trial of another begins anew, with its samples.
+  // And then steps, with a kernel that may have been found since: the samples are the same.
   // `steps_per_chain`: of the run.
   Pilot with_chains(double kernel, double steps_per_chain) {
     budget_.go_on();
     if (kernel != kernel_) {
-      kernel_ = kernel;
-      budget_.restart();
-      make_samples();
+      const CopiedSeeds seeds(*trial_);
+      trial_ = make_(kernel);
+      seeds.give(*trial_);
     }
     if (!is_telling(samples_)) return samples_;
     const BinWorth worth(resolution_, findings_of(*trial_));
@@ -107,8 +111,6 @@ class PilotRun {
   static constexpr double share_of_samples = 0.05, share_of_early = 0.07, share_of_all = 0.1;
 
   void make_samples() {
-    samples_ = {};
-    trial_ = make_(kernel_);
     const std::uint64_t of_each =
         std::min(samples_per_round / trial_->count(), trial_->seed_stride());
     for (std::uint64_t made = 0; made < most_samples_of_a_pilot &&

@@ -57,6 +57,12 @@ class TrialGroup {
     return found;
   }
 
+  // Between two samples of the seed pass.
+  template <class Archive>
+  void serialize_seeds(Archive& archive) {
+    archive(source_, log_.samples, log_.found);
+  }
+
  private:
   struct Member {
     RunningChain<typename Chains::Chain> chain;

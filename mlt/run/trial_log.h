@@ -20,6 +20,11 @@ struct TrialLog {
     std::uint32_t sample;
     int bin;
     double light, ratio;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+      archive(sample, bin, light, ratio);
+    }
   };
   struct Deposit {
     int bin;

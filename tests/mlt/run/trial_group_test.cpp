@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cereal/archives/binary.hpp>
+#include <cereal/types/vector.hpp>
 #include <set>
+#include <sstream>
 #include <utility>
 
 #include "mlt/run/mmlt_group.h"
@@ -37,9 +40,28 @@ class TrialGroups : public ::testing::Test {
     compare(group.findings(), trial.findings());
     EXPECT_EQ(trial.steps(), 107);
     EXPECT_EQ(trial.findings().rays, static_cast<double>(group.tally().rays));
+
+    TrialGroup<Chains> first(space_, kernel, 3, 1, 2, {}), other(space_, kernel, 3, 1, 2, {});
+    first.add_seeds(150);
+    copy_seeds(first, other);
+    other.add_seeds(150);
+    other.end_seeds();
+    other.start_chains(others);
+    other.advance(107);
+    compare(group.findings(), other.findings());
   }
 
  private:
+  template <class Trial>
+  static void copy_seeds(Trial& from, Trial& to) {
+    std::stringstream bytes;
+    {
+      cereal::BinaryOutputArchive out(bytes);
+      from.serialize_seeds(out);
+    }
+    cereal::BinaryInputArchive in(bytes);
+    to.serialize_seeds(in);
+  }
   void compare(const GroupFindings& group, const TrialFindings& trial) const {
     std::vector<double> film(group.film->bins());
     std::set<std::pair<int, double>> places;
