@@ -4,12 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cereal/archives/binary.hpp>
-#include <cereal/types/vector.hpp>
 #include <set>
-#include <sstream>
 #include <utility>
 
+#include "lab/copied_seeds.h"
 #include "mlt/run/mmlt_group.h"
 #include "mlt/run/path_group.h"
 #include "mlt/run/pssmlt_group.h"
@@ -43,7 +41,7 @@ class TrialGroups : public ::testing::Test {
 
     TrialGroup<Chains> first(space_, kernel, 3, 1, 2, {}), other(space_, kernel, 3, 1, 2, {});
     first.add_seeds(150);
-    copy_seeds(first, other);
+    CopiedSeeds(first).give(other);
     other.add_seeds(150);
     other.end_seeds();
     other.start_chains(others);
@@ -52,16 +50,6 @@ class TrialGroups : public ::testing::Test {
   }
 
  private:
-  template <class Trial>
-  static void copy_seeds(Trial& from, Trial& to) {
-    std::stringstream bytes;
-    {
-      cereal::BinaryOutputArchive out(bytes);
-      from.serialize_seeds(out);
-    }
-    cereal::BinaryInputArchive in(bytes);
-    to.serialize_seeds(in);
-  }
   void compare(const GroupFindings& group, const TrialFindings& trial) const {
     std::vector<double> film(group.film->bins());
     std::set<std::pair<int, double>> places;

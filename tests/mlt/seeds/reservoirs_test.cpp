@@ -93,7 +93,8 @@ TEST(Reservoirs, HoldEachCandidateInProportionToItsWeightIndependently) {
   }
 }
 
-// The twins share what is right, and offer otherwise.
+// The twins share what is right, and offer otherwise.  Where they jump by other sums one number of an interval does not
+// stand for all, and their errors are not exact; they are far from none.
 class Twin {
  public:
   explicit Twin(int count) : kept_(static_cast<std::size_t>(count)) {}
