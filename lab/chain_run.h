@@ -87,6 +87,7 @@ class ChainRun final : public LiveRun {
       return pool(*of_easy_light);
     }
     adapt();
+    if (run_.is_interrupted()) return;
     const Pilot found = pilot.with_chains(kernel(), planner.steps_per_chain());
     if (!run_.is_interrupted()) pool(planner.by_chains(found));
   }

@@ -129,10 +129,7 @@ class PilotRun {
   Pilot found_by(const BinWorth& worth) const {
     const std::uint64_t active = trial_->active();
     Pilot pilot = pilot_of(findings_of(*trial_), worth, active > 0 ? trial_->steps() / active : 0);
-    if (resolution_.size() > 1) {
-      pilot.rays_per_step = rays_per_step_in_space;
-      pilot.worth_a_risk = worth_a_risk_in_space;
-    }
+    if (resolution_.size() > 1) pilot.rays_per_step = rays_per_step_in_space;
     return pilot;
   }
 

@@ -142,10 +142,10 @@ const Choice& safest(std::span<const Choice> choices, double enough) {
   });
 }
 
-Choice chosen_of(std::span<const Choice> choices, double enough, double worth_a_risk) {
+Choice chosen_of(std::span<const Choice> choices, double enough, double risk) {
   const Choice& best = best_of(choices);
   const Choice& without_risk = safest(choices, enough);
-  if (best.pooling.partition.c <= enough && without_risk.work <= worth_a_risk * best.work)
+  if (best.pooling.partition.c <= enough && without_risk.work <= risk * best.work)
     return without_risk;
   std::vector<Choice> good(choices.begin(), choices.end());
   std::erase_if(good, [&best](const Choice& one) { return one.work > about_as_good * best.work; });
@@ -218,7 +218,10 @@ Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost) {
   const std::vector<Choice> choices = all_choices(pilot, bins, most_cost);
   if (choices.empty())
     return {.samples_per_step = fewest_samples_per_step, .cost_of_sample = cost_of_sample(pilot)};
-  return chosen_of(choices, largest_safe_border * pilot.b(), pilot.worth_a_risk).pooling;
+  const bool have_chains_promised = !pilot.borders.empty();
+  return chosen_of(choices, largest_safe_border * pilot.b(),
+                   have_chains_promised ? worth_a_risk : about_as_good)
+      .pooling;
 }
 
 std::optional<Pooling> pooling_of_easy_light(const Pilot& samples, std::size_t bins,

@@ -53,9 +53,9 @@ inline constexpr double usual_steps_per_draw = 16;
 // passes of ten scenes it was 2.4 to 4.1, and samples beside the chains cost somewhat less.
 inline constexpr double rays_per_step = 5, rays_per_step_in_space = 4;
 
-// How many times the least work a choice may take that leaves less to chains (best_pooling): in the plane, and in
-// space, where it decides whether nearly all is left to samples.
-inline constexpr double about_as_good = 1.25, worth_a_risk_in_space = 2;
+// How many times the least work a choice may take that leaves less to chains (best_pooling); and one that leaves
+// nearly all to samples, where chains of the pilot have promised less.
+inline constexpr double about_as_good = 1.25, worth_a_risk = 2;
 
 // What a pilot knows (pilot.h): a small run that is no part of the film.
 struct Pilot {
@@ -69,7 +69,6 @@ struct Pilot {
   double steps_per_chain = 0;
   double rays_per_step = wander::rays_per_step;
   double steps_per_seed = 0;  // of the run: its steps for each sample of its seed pass
-  double worth_a_risk = about_as_good;
   // With a border, how many steps tell as much as one independent draw: of where the chains' part of the
   // light lies on the film; and of how large it is in all, which unknown moves b.
   struct Border {
@@ -112,9 +111,8 @@ std::vector<double> borders_around(double b);
 // Chains are known by few excursions of few of them, and where V errs it is too small: it knows nothing of what they have
 // not met.  What samples leave unknown is known.  So of all ρ and c whose V (1 + ρ κ), with κ the cost of a sample in
 // steps, is no more than a quarter above the least, those with the largest c are taken, up to 2¹⁰ b: what samples
-// find beyond it is rare enough to be a firefly, and some of it may not have been seen.  Of an image the same chains
-// know less, and may promise a multiple of what they keep: where with 2¹⁰ b it is no more than twice the least, it is
-// 2¹⁰ b.  (Where the least lies beyond, samples promise as much, and chains have what is rare.)  ρ is of the powers of
+// find beyond it is rare enough to be a firefly, and some of it may not have been seen.  Chains that were asked may
+// promise a multiple of what they keep: where with 2¹⁰ b it is no more than twice the least, it is 2¹⁰ b.  (Where the least lies beyond, samples promise as much, and chains have what is rare.)  ρ is of the powers of
 // two between these, but no more than with which samples take `most_cost` times as long as steps: little is lost where
 // time is what is given, and who gives a number of steps does not wait for much more than these.
 inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 64,
