@@ -38,8 +38,9 @@ class PilotBudget {
   // A part of a budget of time may be spent so far; and nothing when the run is interrupted.
   bool is_over(double share) const {
     const auto* time = std::get_if<TimeBudget>(&run_.session().budget);
-    return run_.is_interrupted() || (time && spent() > share * time->seconds);
+    return is_interrupted() || (time && spent() > share * time->seconds);
   }
+  bool is_interrupted() const { return run_.is_interrupted(); }
   // What is spent between the two is spent on something else.
   void pause() { paused_ = run_.spent(); }
   void go_on() { begin_ += run_.spent() - paused_; }
@@ -95,7 +96,7 @@ class PilotRun {
       trial_ = make_(kernel);
       seeds.give(*trial_);
     }
-    if (!is_telling(samples_)) return samples_;
+    if (!is_telling(samples_) || budget_.is_interrupted()) return samples_;
     const BinWorth worth(resolution_, findings_of(*trial_));
     trial_->start(1);
     make_steps(budget_.steps() / 4, share_of_early);
