@@ -127,7 +127,9 @@ class PilotRun {
     while (trial_->steps() < steps && !budget_.is_over(share))
       trial_->advance_to(std::min(steps, trial_->steps() + steps_per_round));
   }
+  // Nothing, once the run is interrupted: it may take a while where paths are long.
   Pilot found_by(const BinWorth& worth) const {
+    if (budget_.is_interrupted()) return {};
     const std::uint64_t active = trial_->active();
     Pilot pilot = pilot_of(findings_of(*trial_), worth, active > 0 ? trial_->steps() / active : 0);
     if (resolution_.size() > 1) pilot.rays_per_step = rays_per_step_in_space;

@@ -49,11 +49,12 @@ double evenness_of_states(const Pilot& pilot, Partition side) {
 std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, const BinWorth& worth,
                                       const Pilot& pilot, std::span<const double> borders) {
   const std::vector<DepositSpread> spreads = deposit_spreads(groups, worth, borders);
+  const std::vector<double> together = paths_together(groups, worth, borders);
   const RatioHistogram states = pilot.states();
   const auto steps = static_cast<std::uint64_t>(pilot.steps_per_chain);
   std::vector<Pilot::Border> found;
   for (std::size_t k = 0; k < borders.size(); ++k) {
-    found.push_back({.c = borders[k], .together = paths_together(groups, worth, {borders[k]})});
+    found.push_back({.c = borders[k], .together = together[k]});
     if (spreads.empty()) continue;
     const Partition side{borders[k]};
     double mean = 0, second_moment = 0;  // of w_M

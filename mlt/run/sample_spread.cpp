@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <vector>
+
+#include "mlt/run/partition.h"
 
 namespace wander {
 
@@ -10,38 +11,56 @@ namespace {
 
 struct Carried {
   int bin;
-  double light;
+  double light, ratio;
 };
 
-// Σ_j a_j of products of two that differ, of one sample; puts them in the order of their bins.
-double products(std::vector<Carried>& paths, const BinWorth& worth) {
-  std::ranges::stable_sort(paths, {}, &Carried::bin);
+struct Sums {
+  double alone = 0, pairs = 0;
+};
+
+// Σ_j a_j of products of two that differ, of one sample, whose paths come bin by bin.
+double products(std::span<const Carried> paths, const BinWorth& worth, Partition side) {
   double sum = 0, before = 0;  // of the paths on this bin so far
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (i == 0 || paths[i].bin != paths[i - 1].bin) before = 0;
-    sum += 2 * worth(paths[i].bin) * paths[i].light * before;
-    before += paths[i].light;
+    const double light = paths[i].light * side.of_samples(paths[i].ratio);
+    sum += 2 * worth(paths[i].bin) * light * before;
+    before += light;
   }
   return sum;
 }
 
+// Of one sample, to each border; puts its paths in the order of their bins.
+void add(std::vector<Carried>& paths, const BinWorth& worth, std::span<const double> borders,
+         std::vector<Sums>& sums) {
+  for (std::size_t k = 0; k < borders.size(); ++k)
+    for (const Carried& path : paths) {
+      const double light = path.light * Partition{borders[k]}.of_samples(path.ratio);
+      sums[k].alone += worth(path.bin) * light * light;
+    }
+  std::ranges::stable_sort(paths, {}, &Carried::bin);
+  for (std::size_t k = 0; k < borders.size(); ++k)
+    sums[k].pairs += products(paths, worth, {borders[k]});
+}
+
 }  // namespace
 
-double paths_together(std::span<const TrialFindings> groups, const BinWorth& worth,
-                      Partition side) {
-  double alone = 0, pairs = 0;
+std::vector<double> paths_together(std::span<const TrialFindings> groups, const BinWorth& worth,
+                                   std::span<const double> borders) {
+  std::vector<Sums> sums(borders.size());
   std::vector<Carried> paths;  // of one sample
   for (const TrialFindings& group : groups) {
     const std::vector<TrialLog::Found>& found = group.log->found;
     for (std::size_t i = 0; i < found.size(); ++i) {
-      paths.push_back({found[i].bin, found[i].light * side.of_samples(found[i].ratio)});
-      alone += worth(paths.back().bin) * paths.back().light * paths.back().light;
+      paths.push_back({found[i].bin, found[i].light, found[i].ratio});
       if (i + 1 < found.size() && found[i + 1].sample == found[i].sample) continue;
-      pairs += products(paths, worth);
+      add(paths, worth, borders, sums);
       paths.clear();
     }
   }
-  return alone > 0 ? 1 + pairs / alone : 1;
+  std::vector<double> together;
+  for (const Sums& of : sums) together.push_back(of.alone > 0 ? 1 + of.pairs / of.alone : 1);
+  return together;
 }
 
 }  // namespace wander

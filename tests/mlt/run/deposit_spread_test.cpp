@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <list>
+#include <vector>
 
 #include "core/rng.h"
+#include "mlt/run/partition.h"
 #include "mlt/run/sample_spread.h"
 
 namespace wander::test::deposit_spread_test {
@@ -127,17 +129,21 @@ TEST(DepositSpread, IsNotKnownOfTwoGroups) {
   EXPECT_TRUE(deposit_spreads(made.groups, even, std::array{c}).empty());
 }
 
+double together(std::span<const TrialFindings> groups, const BinWorth& worth) {
+  return paths_together(groups, worth, std::array{c}).front();
+}
+
 TEST(PathsOfASample, AreOneWhereTheyFallOnOneBin) {
   const BinWorth even(std::array{bins}, {});
   Trial made;
   TrialLog& log = made.add();
   log.found = {{0, 1, 2, 2}, {0, 2, 3, 3}, {1, 1, 2, 2}, {2, 3, 5, 5}};
-  EXPECT_EQ(paths_together(made.groups, even, {c}), 1) << "two of a sample, on different bins";
+  EXPECT_EQ(together(made.groups, even), 1) << "two of a sample, on different bins";
   // x = 6/5 alone, and 6/5 and 3/2 of one sample on one bin.
   log.found = {{0, 1, 2, 2}, {1, 1, 2, 2}, {1, 1, 3, 3}, {1, 2, 3, 3}};
   const double alone = 1.2 * 1.2 * 2 + 1.5 * 1.5 * 2;
-  EXPECT_NEAR(paths_together(made.groups, even, {c}), (alone + 2 * 1.2 * 1.5) / alone, 1e-12);
-  EXPECT_EQ(paths_together({}, even, {c}), 1);
+  EXPECT_NEAR(together(made.groups, even), (alone + 2 * 1.2 * 1.5) / alone, 1e-12);
+  EXPECT_EQ(together({}, even), 1);
 }
 
 TEST(PathsOfASample, CountAsTheirBinIsWorth) {
@@ -148,7 +154,29 @@ TEST(PathsOfASample, CountAsTheirBinIsWorth) {
   const BinWorth worth(std::array{1, 2}, made.groups);
   const double x = 0.75, y = 4 * 3 / 7.0;
   const double alone = 2 * worth(0) * x * x + worth(1) * y * y;
-  EXPECT_NEAR(paths_together(made.groups, worth, {c}), 1 + 2 * worth(0) * x * x / alone, 1e-12);
+  EXPECT_NEAR(together(made.groups, worth), 1 + 2 * worth(0) * x * x / alone, 1e-12);
+}
+
+TEST(PathsOfASample, AreAskedWithEachBorderByItself) {
+  const BinWorth even(std::array{bins}, {});
+  Trial made;
+  TrialLog& log = made.add();
+  log.found = {{0, 2, 2, 1}, {0, 1, 2, 2}, {0, 2, 3, 9}, {1, 1, 7, 3}, {1, 1, 3, 30}};
+  const std::array borders{c, 100 * c, c / 8};
+  const std::vector<double> found = paths_together(made.groups, even, borders);
+  ASSERT_EQ(found.size(), borders.size());
+  for (std::size_t k = 0; k < borders.size(); ++k)
+    EXPECT_EQ(found[k], paths_together(made.groups, even, std::array{borders[k]}).front());
+  // On bin 2 one pair of the first sample, on bin 1 one of the second.
+  const Partition side{100 * c};
+  const auto light = [&](const TrialLog::Found& path) {
+    return path.light * side.of_samples(path.ratio);
+  };
+  double alone = 0;
+  for (const TrialLog::Found& path : log.found) alone += light(path) * light(path);
+  const double pairs =
+      light(log.found[0]) * light(log.found[2]) + light(log.found[3]) * light(log.found[4]);
+  EXPECT_NEAR(found[1], 1 + 2 * pairs / alone, 1e-12);
 }
 
 }  // namespace
