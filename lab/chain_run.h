@@ -114,11 +114,9 @@ class ChainRun final : public LiveRun {
 
   void advance(std::uint64_t samples) override { groups_->advance_to(groups_->steps() + samples); }
   std::uint64_t samples() const override { return groups_->steps(); }
-  // An interrupt is heard between two, and a step costs its vertices.
   std::uint64_t stride() const override {
-    constexpr std::uint64_t usual = 1024;  // steps of each group
-    const auto n = static_cast<std::uint64_t>(space_.max_vertices());
-    return usual * short_paths / std::max(n, short_paths) * groups_->active();
+    constexpr std::uint64_t usual = 1024;
+    return turn_of(usual, space_.max_vertices()) * groups_->active();
   }
   std::uint64_t first_look() const override { return 1 << 17; }
 

@@ -16,8 +16,14 @@
 
 namespace wander {
 
-// Vertices.  Of longer paths fewer are made between two interrupts.
-inline constexpr std::uint64_t short_paths = 32;
+// Of each group between two interrupts: `usual` steps or samples, or of long paths, of which each may cost the square
+// of its vertices, as many as take no longer.  No clock has a part in it: films that are summed in parts show in their
+// last bit where these end.
+inline std::uint64_t turn_of(std::uint64_t usual, int max_vertices) {
+  constexpr std::uint64_t vertices = 32;  // of a short path
+  const std::uint64_t n = std::max(static_cast<std::uint64_t>(max_vertices), vertices);
+  return std::max<std::uint64_t>(usual * vertices * vertices / (n * n), 1);
+}
 
 template <class C>
 concept TakesSteps = ChainSource<C> && requires(C& chains, std::uint64_t count) {
@@ -64,12 +70,9 @@ class ChainGroups {
       done += part;
     }
   }
-  // Of each slice between two interrupts, for a sample may cost the square of its vertices.  No clock has a
-  // part in it: films that are summed in parts show in their last bit where these end.
   std::uint64_t seed_stride() const {
     constexpr std::uint64_t usual = 256;
-    const std::uint64_t n = std::max(static_cast<std::uint64_t>(max_vertices_), short_paths);
-    return std::max<std::uint64_t>(usual * short_paths * short_paths / (n * n), 1);
+    return turn_of(usual, max_vertices_);
   }
   SeedTally tally() const {
     SeedTally tally(max_vertices_);
