@@ -51,10 +51,10 @@ class Drive {
       throw NothingComputed();
     if (run_.takes_seeds()) {
       // An interrupted seed pass goes on from where it was, not from the chains that now show what
-      // it found.
+      // it found, as few as there can be.
       if (!has_all_seeds_) keep();
       headway_.seed_seconds = execution_.seconds();
-      run_.start(run_.settings().chains_for(expected_steps()));
+      run_.start(has_all_seeds_ ? run_.settings().chains_for(expected_steps()) : 1);
     }
     Rendering r = sampled();
     if (has_all_seeds_) keep();
