@@ -213,15 +213,12 @@ Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins) {
   return choices.empty() ? Pooling{.samples_per_step = samples_per_step} : best_of(choices).pooling;
 }
 
-Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost) {
+Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost, double risk) {
   if (!is_telling(pilot)) return pooling(pilot, fewest_samples_per_step, bins);
   const std::vector<Choice> choices = all_choices(pilot, bins, most_cost);
   if (choices.empty())
     return {.samples_per_step = fewest_samples_per_step, .cost_of_sample = cost_of_sample(pilot)};
-  const bool have_chains_promised = !pilot.borders.empty();
-  return chosen_of(choices, largest_safe_border * pilot.b(),
-                   have_chains_promised ? worth_a_risk : about_as_good)
-      .pooling;
+  return chosen_of(choices, largest_safe_border * pilot.b(), risk).pooling;
 }
 
 std::optional<Pooling> pooling_of_easy_light(const Pilot& samples, std::size_t bins,

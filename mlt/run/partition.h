@@ -54,7 +54,7 @@ inline constexpr double usual_steps_per_draw = 16;
 inline constexpr double rays_per_step = 5, rays_per_step_in_space = 4;
 
 // How many times the least work a choice may take that leaves less to chains (best_pooling); and one that leaves
-// nearly all to samples, where chains of the pilot have promised less.
+// nearly all to samples, once chains of a pilot were asked.
 inline constexpr double about_as_good = 1.25, worth_a_risk = 2;
 
 // What a pilot knows (pilot.h): a small run that is no part of the film.
@@ -112,12 +112,14 @@ std::vector<double> borders_around(double b);
 // not met.  What samples leave unknown is known.  So of all ρ and c whose V (1 + ρ κ), with κ the cost of a sample in
 // steps, is no more than a quarter above the least, those with the largest c are taken, up to 2¹⁰ b: what samples
 // find beyond it is rare enough to be a firefly, and some of it may not have been seen.  Chains that were asked may
-// promise a multiple of what they keep: where with 2¹⁰ b it is no more than twice the least, it is 2¹⁰ b.  (Where the least lies beyond, samples promise as much, and chains have what is rare.)  ρ is of the powers of
+// promise a multiple of what they keep: where with 2¹⁰ b it is no more than `risk` times the least, it is 2¹⁰ b.
+// (Where the least lies beyond, samples promise as much, and chains have what is rare.)  ρ is of the powers of
 // two between these, but no more than with which samples take `most_cost` times as long as steps: little is lost where
 // time is what is given, and who gives a number of steps does not wait for much more than these.
 inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 64,
                         usual_most_cost = 32, most_cost_of_given_steps = 4;
-Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost = usual_most_cost);
+Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost = usual_most_cost,
+                     double risk = about_as_good);
 
 // What samples alone decide: with chains of which one step in sixteen told as much as a draw, nothing would take a
 // twentieth less work than 2¹⁰ b does, which leaves nearly all to samples.  Of the ρ that are as good as that the

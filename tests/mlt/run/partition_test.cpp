@@ -105,12 +105,6 @@ TEST(Pooling, TakesTheLargestBorderThatIsAboutAsGoodAsTheBest) {
   }
 }
 
-// What a pilot knows whose chains say of every border what is taken for granted where none are asked.
-Pilot asked(Pilot pilot) {
-  for (const double c : borders_around(pilot.b())) pilot.borders.push_back({.c = c});
-  return pilot;
-}
-
 // Once chains are asked all but what is rare is left to samples, unless they promise more than twice as much.
 TEST(Pooling, LeavesToChainsWhatTheyPromiseTwice) {
   int safe = 0, risky = 0;
@@ -122,7 +116,7 @@ TEST(Pooling, LeavesToChainsWhatTheyPromiseTwice) {
     const Pooling best = std::ranges::min(all, {}, of);
     std::erase_if(all, [&](const Pooling& one) { return one.partition.c != 1024 * pilot.b(); });
     const Pooling almost_all = std::ranges::min(all, {}, of);
-    const Pooling of_chains = best_pooling(asked(pilot), bins);
+    const Pooling of_chains = best_pooling(pilot, bins, usual_most_cost, worth_a_risk);
     const bool is_safe = of(almost_all) <= 2 * of(best);
     const Pooling& expected = is_safe ? almost_all : of_samples;
     EXPECT_EQ(of_chains.partition.c, expected.partition.c) << count;
