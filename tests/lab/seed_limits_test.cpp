@@ -2,6 +2,8 @@
 // nobody asked for no more than cost a bounded number of rays.  A run that counts, and does nothing else.
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "lab/drive.h"
 #include "mlt/run/chain_settings.h"
 
@@ -23,7 +25,11 @@ class CountingRun : public LiveRun {
   }
   void seed(std::uint64_t of_each) override { seeds_ += slices * of_each; }
   std::uint64_t seed_stride() const override { return samples_per_stride; }
-  void start(int) override { is_started_ = true; }
+  void start(int chains) override {
+    is_started_ = true;
+    chains_ = chains;
+  }
+  int chains() const { return chains_; }  // of each group, once they are started
   void advance(std::uint64_t samples) override { samples_ += samples; }
   std::uint64_t samples() const override { return samples_; }
   std::uint64_t stride() const override { return 1 << 16; }
@@ -46,8 +52,35 @@ class CountingRun : public LiveRun {
   std::uint64_t rays_per_sample_;
   double share_;
   bool is_started_ = false;
+  int chains_ = 0;
   std::uint64_t seeds_ = 0, samples_ = 0;
 };
+
+// By the first of its samples.
+class InterruptedRun final : public CountingRun {
+ public:
+  explicit InterruptedRun(std::atomic<bool>& interrupted)
+      : CountingRun(30, 0), interrupted_(interrupted) {}
+
+  void seed(std::uint64_t of_each) override {
+    CountingRun::seed(of_each);
+    interrupted_ = true;
+  }
+
+ private:
+  std::atomic<bool>& interrupted_;
+};
+
+// How many chains of each group start.
+int chains_of(CountingRun& run, const std::atomic<bool>& interrupted) {
+  Session session;
+  session.budget = SampleBudget{100'000'000};
+  session.threads = 1;
+  session.interrupted = &interrupted;
+  Run execution(session);
+  drive(run, execution);
+  return run.chains();
+}
 
 std::uint64_t seeds_of(const Budget& budget, std::uint64_t rays_per_sample, double share = 0) {
   CountingRun run(rays_per_sample, share);
@@ -88,6 +121,15 @@ TEST(SeedLimits, OfAnErrorHoldForTheFirstLookAlone) {
     EXPECT_GE(seeds, 40'000U - 1) << "where the error is half of what was asked for";
     EXPECT_LT(seeds, 41'000U);
   }
+}
+
+// Thousands of long paths take seconds to start, and the run goes on from its seeds.
+TEST(SeedPass, IsShownByOneChainOfEachGroupIfItIsInterrupted) {
+  std::atomic<bool> interrupted = false;
+  CountingRun whole(30, 0);
+  EXPECT_GT(chains_of(whole, interrupted), 1);
+  InterruptedRun run(interrupted);
+  EXPECT_EQ(chains_of(run, interrupted), 1);
 }
 
 }  // namespace

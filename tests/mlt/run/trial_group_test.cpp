@@ -113,5 +113,14 @@ TEST_F(TrialGroups, OfLengthsKeepWhatTheirFilmIsMadeOf) {
       PrimaryKernel<Kelemen>{Kelemen{}, 0.3});
 }
 
+// A step or sample of n vertices may cost n².
+TEST(Turns, HaveFewerStepsWherePathsAreLong) {
+  EXPECT_EQ(turn_of(1024, 2), 1024u);
+  EXPECT_EQ(turn_of(1024, 32), 1024u);
+  EXPECT_EQ(turn_of(1024, 64), 256u);
+  EXPECT_EQ(turn_of(1024, 300), 11u);
+  EXPECT_EQ(turn_of(256, 1000), 1u) << "none makes nothing";
+}
+
 }  // namespace
 }  // namespace wander::test::trial_group_test
