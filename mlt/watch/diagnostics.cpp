@@ -1,10 +1,15 @@
 #include "mlt/watch/diagnostics.h"
 
 #include <algorithm>
+#include <array>
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/normal.hpp>
+#include <boost/sort/spreadsort/float_sort.hpp>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
+#include <utility>
+#include <vector>
 
 #include "mlt/watch/chains_record.h"
 
@@ -65,14 +70,26 @@ double quantile(std::vector<double> x, double probability) {
   return low == high ? low : (1 - share) * low + share * high;
 }
 
+// Values with their places, the smallest first.
+std::vector<std::pair<double, std::size_t>> sorted_places(const std::vector<double>& x) {
+  using Placed = std::pair<double, std::size_t>;
+  std::vector<Placed> sorted(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) sorted[i] = {x[i], i};
+  boost::sort::spreadsort::float_sort(
+      sorted.begin(), sorted.end(),
+      [](const Placed& one, unsigned bits) {
+        return boost::sort::spreadsort::float_mem_cast<double, std::int64_t>(one.first) >> bits;
+      },
+      [](const Placed& one, const Placed& other) { return one.first < other.first; });
+  return sorted;
+}
+
 // z = Φ⁻¹((rank - 3/8) / (S + 1/4)) [Blom 1958]; equal values share their mean rank.
 Draws normal_scores(Draws x) {
   using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
   const boost::math::normal_distribution<double, Policy> standard;
   const std::size_t size = x.values.size();
-  std::vector<std::pair<double, std::size_t>> sorted(size);
-  for (std::size_t i = 0; i < size; ++i) sorted[i] = {x.values[i], i};
-  std::ranges::sort(sorted);
+  const auto sorted = sorted_places(x.values);
   for (std::size_t first = 0, end = 0; first < size; first = end) {
     while (end < size && sorted[end].first == sorted[first].first) ++end;
     const double rank = static_cast<double>(first + 1 + end) / 2;
@@ -99,6 +116,17 @@ double r_hat(const Draws& x) {
   return std::sqrt((n * variance_of(chain_means(x)) / within + n - 1) / n);
 }
 
+// Σ x_i y_i in several sums, which do not wait for each other.
+double dot(const double* x, const double* y, std::size_t n) {
+  constexpr std::size_t sums = 8;
+  std::array<double, sums> part{};
+  std::size_t i = 0;
+  for (; i + sums <= n; i += sums)
+    for (std::size_t k = 0; k < sums; ++k) part[k] += x[i + k] * y[i + k];
+  for (; i < n; ++i) part[0] += x[i] * y[i];
+  return std::accumulate(part.begin(), part.end(), 0.0);
+}
+
 // Autocovariances ĉ_t = Σ (x_i - mean)(x_{i+t} - mean) / N, the mean over chains.
 class Autocovariance {
  public:
@@ -109,8 +137,7 @@ class Autocovariance {
   double operator()(std::size_t lag) const {
     double sum = 0;
     for (std::size_t c = 0; c < centred_.chains; ++c)
-      sum += std::inner_product(centred_.chain(c) + lag, centred_.chain(c) + centred_.length,
-                                centred_.chain(c), 0.0);
+      sum += dot(centred_.chain(c) + lag, centred_.chain(c), centred_.length - lag);
     return sum / static_cast<double>(centred_.values.size());
   }
   const std::vector<double>& means() const { return means_; }
