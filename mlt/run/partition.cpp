@@ -13,6 +13,7 @@ namespace {
 
 constexpr double fewest_samples_of_a_pilot = 64, enough_effective_samples = 512;
 constexpr double nearly_best = 1.05;  // of light that is called easy
+constexpr double as_good = 1.02;      // of fewer samples, and more steps for what they have not met
 constexpr double smallest_border = 0x1p-2, largest_border = 0x1p18, border_of_all_light = 0x1p48,
                  largest_safe_border = 0x1p10;  // over b
 
@@ -224,12 +225,17 @@ Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost, dou
 std::optional<Pooling> pooling_of_easy_light(const Pilot& samples, std::size_t bins,
                                              double most_cost) {
   if (!tells_enough(samples)) return {};
-  const std::vector<Choice> choices = all_choices(samples, bins, most_cost);
+  std::vector<Choice> choices = all_choices(samples, bins, most_cost);
   if (choices.empty()) return {};
   const double enough = nearly_best * best_of(choices).work,
                border = largest_safe_border * samples.b();
+  std::erase_if(choices, [&](const Choice& one) {
+    return one.pooling.partition.c != border || one.work > enough;
+  });
+  if (choices.empty()) return {};
+  const double least = best_of(choices).work;
   for (const Choice& choice : choices)  // fewest samples first
-    if (choice.pooling.partition.c == border && choice.work <= enough) return choice.pooling;
+    if (choice.work <= as_good * least) return choice.pooling;
   return {};
 }
 

@@ -122,8 +122,8 @@ Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost = us
                      double risk = about_as_good);
 
 // What samples alone decide: with chains of which one step in sixteen told as much as a draw, nothing would take a
-// twentieth less work than 2¹⁰ b does, which leaves nearly all to samples.  Of the ρ that are as good as that the
-// smallest, for what is rare is the chains'.  None: chains have to be asked, or better samples.
+// twentieth less work than 2¹⁰ b does, which leaves nearly all to samples.  Of the ρ that with it are as good as the
+// best, to a fiftieth, the smallest, for what is rare is the chains'.  None: chains have to be asked, or better samples.
 std::optional<Pooling> pooling_of_easy_light(const Pilot& samples, std::size_t bins,
                                              double most_cost = usual_most_cost);
 
