@@ -18,29 +18,17 @@ struct Sums {
   double alone = 0, pairs = 0;
 };
 
-// Σ_j a_j of products of two that differ, of one sample, whose paths come bin by bin.
-double products(std::span<const Carried> paths, const BinWorth& worth, Partition side) {
-  double sum = 0, before = 0;  // of the paths on this bin so far
+// Of one sample, whose paths come bin by bin, Σ_j a_j of the squares of paths, and of products of two that differ.
+void add(std::span<const Carried> paths, const BinWorth& worth, Partition side, Sums& sums) {
+  double before = 0;  // of the paths on this bin so far
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (i == 0 || paths[i].bin != paths[i - 1].bin) before = 0;
     const double light = paths[i].light * side.of_samples(paths[i].ratio);
-    sum += 2 * worth(paths[i].bin) * light * before;
+    const double weighed = worth(paths[i].bin) * light;
+    sums.alone += weighed * light;
+    sums.pairs += 2 * weighed * before;
     before += light;
   }
-  return sum;
-}
-
-// Of one sample, to each border; puts its paths in the order of their bins.
-void add(std::vector<Carried>& paths, const BinWorth& worth, std::span<const double> borders,
-         std::vector<Sums>& sums) {
-  for (std::size_t k = 0; k < borders.size(); ++k)
-    for (const Carried& path : paths) {
-      const double light = path.light * Partition{borders[k]}.of_samples(path.ratio);
-      sums[k].alone += worth(path.bin) * light * light;
-    }
-  std::ranges::stable_sort(paths, {}, &Carried::bin);
-  for (std::size_t k = 0; k < borders.size(); ++k)
-    sums[k].pairs += products(paths, worth, {borders[k]});
 }
 
 }  // namespace
@@ -54,7 +42,8 @@ std::vector<double> paths_together(std::span<const TrialFindings> groups, const 
     for (std::size_t i = 0; i < found.size(); ++i) {
       paths.push_back({found[i].bin, found[i].light, found[i].ratio});
       if (i + 1 < found.size() && found[i + 1].sample == found[i].sample) continue;
-      add(paths, worth, borders, sums);
+      std::ranges::stable_sort(paths, {}, &Carried::bin);
+      for (std::size_t k = 0; k < borders.size(); ++k) add(paths, worth, {borders[k]}, sums[k]);
       paths.clear();
     }
   }
