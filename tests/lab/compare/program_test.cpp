@@ -133,9 +133,8 @@ TEST_F(CompareCommand, WithoutLightThereIsNothingToMeasureAgainst) {
 }
 
 TEST_F(CompareCommand, AnInterruptedComparisonIsSavedAsIncomplete) {
-  const Outcome outcome = shell(
-      "timeout -s INT --preserve-status 2 \"$WANDER\" compare box.json -m pt -b 0.05s,0.1s "
-      "--replicates 500 -t 1 -o out");
+  const Outcome outcome = interrupted_at(
+      "replicate [2-9] ", "box.json -m pt -b 0.05s,0.1s --replicates 500 -t 1 -o out");
   ASSERT_EQ(outcome.exit_code, 130) << outcome.err;
   const json document = json::parse(contents(folder / "out" / "compare.json"));
   EXPECT_EQ(document["complete"], false);
