@@ -234,9 +234,8 @@ std::optional<Pooling> pooling_of_easy_light(const Pilot& samples, std::size_t b
   });
   if (choices.empty()) return {};
   const double least = best_of(choices).work;
-  for (const Choice& choice : choices)  // fewest samples first
-    if (choice.work <= as_good * least) return choice.pooling;
-  return {};
+  const auto is_as_good = [least](const Choice& one) { return one.work <= as_good * least; };
+  return std::ranges::find_if(choices, is_as_good)->pooling;  // fewest samples first
 }
 
 }  // namespace wander
