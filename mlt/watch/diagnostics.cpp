@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/normal.hpp>
-#include <boost/sort/spreadsort/float_sort.hpp>
+#include <boost/sort/spreadsort/integer_sort.hpp>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -70,16 +71,21 @@ double quantile(std::vector<double> x, double probability) {
   return low == high ? low : (1 - share) * low + share * high;
 }
 
+// An integer that is the greater the greater x is: its bits, those of negative numbers turned.
+std::uint64_t ordered_bits(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  constexpr std::uint64_t sign = std::uint64_t{1} << 63;
+  return bits & sign ? ~bits : bits | sign;
+}
+
 // Values with their places, the smallest first.
 std::vector<std::pair<double, std::size_t>> sorted_places(const std::vector<double>& x) {
   using Placed = std::pair<double, std::size_t>;
   std::vector<Placed> sorted(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) sorted[i] = {x[i], i};
-  boost::sort::spreadsort::float_sort(
+  boost::sort::spreadsort::integer_sort(
       sorted.begin(), sorted.end(),
-      [](const Placed& one, unsigned bits) {
-        return boost::sort::spreadsort::float_mem_cast<double, std::int64_t>(one.first) >> bits;
-      },
+      [](const Placed& one, unsigned bits) { return ordered_bits(one.first) >> bits; },
       [](const Placed& one, const Placed& other) { return one.first < other.first; });
   return sorted;
 }
