@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/5";
+constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/6";
 
 class Refusal {
  public:

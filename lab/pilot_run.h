@@ -131,7 +131,8 @@ class PilotRun {
   Pilot found_by(const BinWorth& worth) const {
     if (budget_.is_interrupted()) return {};
     const std::uint64_t active = trial_->active();
-    Pilot pilot = pilot_of(findings_of(*trial_), worth, active > 0 ? trial_->steps() / active : 0);
+    Pilot pilot = pilot_of(findings_of(*trial_), worth, active > 0 ? trial_->steps() / active : 0,
+                           [this] { return budget_.is_interrupted(); });
     if (resolution_.size() > 1) pilot.rays_per_step = rays_per_step_in_space;
     return pilot;
   }

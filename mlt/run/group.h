@@ -76,13 +76,8 @@ class ChainGroup {
     if (!takes_steps()) return;
     expect_states();
     turns_ = source_.turns();
-    members_.reserve(static_cast<std::size_t>(chains()));
+    members_.resize(static_cast<std::size_t>(chains()));
     if (Chains::has_comparable_chains) draws_.resize(static_cast<std::size_t>(chains()));
-    for (int k = 0; k < chains(); ++k) {
-      auto chain = source_.chain(k);
-      const Features start = source_.features_of(chain.chain.current());
-      members_.push_back({std::move(chain), start, RejectionRuns(move_names().size())});
-    }
   }
 
   void advance(std::uint64_t steps) {
@@ -136,7 +131,13 @@ class ChainGroup {
   void serialize_chains(Archive& archive) {
     archive(steps_, film_, states_, statistics_);
     if (turns_) archive(*turns_);
-    for (Member& member : members_) archive(member.chain, member.current, member.runs);
+    for (std::size_t k = 0; k < members_.size(); ++k) {
+      bool has_begun = members_[k].has_value();
+      archive(has_begun);
+      if (!has_begun) continue;
+      Member& of_chain = member(k);
+      archive(of_chain.chain, of_chain.current, of_chain.runs);
+    }
     for (ThinnedDraws& chain : draws_) archive(chain);
   }
 
@@ -147,8 +148,19 @@ class ChainGroup {
     RejectionRuns runs;
   };
 
+  // A chain begins with its first step, and allocates then.
+  Member& member(std::size_t k) {
+    std::optional<Member>& of_chain = members_[k];
+    if (!of_chain) {
+      auto chain = source_.chain(static_cast<int>(k));
+      const Features start = source_.features_of(chain.chain.current());
+      of_chain.emplace(Member{std::move(chain), start, RejectionRuns(move_names().size())});
+    }
+    return *of_chain;
+  }
+
   void step(std::size_t k) {
-    Member& member = members_[k];
+    Member& member = this->member(k);
     statistics_.timed(member.chain.steps, [&] {
       int mutation = 0;
       member.chain.step([&](const auto& step) {
@@ -193,7 +205,7 @@ class ChainGroup {
   std::vector<RatioHistogram> states_;  // by stratum: f / p̄ of the state after each step
   MutationStatistics statistics_;
   std::optional<typename Chains::Turns> turns_;  // once the chains have started
-  std::vector<Member> members_;                  // by chain
+  std::vector<std::optional<Member>> members_;   // by chain; none before its first step
   std::vector<ThinnedDraws> draws_;              // by chain; empty where chains cannot be compared
   std::uint64_t steps_ = 0;
 };

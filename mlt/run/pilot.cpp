@@ -47,9 +47,10 @@ double evenness_of_states(const Pilot& pilot, Partition side) {
 }  // namespace
 
 std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, const BinWorth& worth,
-                                      const Pilot& pilot, std::span<const double> borders) {
+                                      const Pilot& pilot, std::span<const double> borders,
+                                      const std::function<bool()>& is_over) {
   const std::vector<DepositSpread> spreads = deposit_spreads(groups, worth, borders);
-  const std::vector<double> together = paths_together(groups, worth, borders);
+  const std::vector<double> together = paths_together(groups, worth, borders, is_over);
   const RatioHistogram states = pilot.states();
   const auto steps = static_cast<std::uint64_t>(pilot.steps_per_chain);
   std::vector<Pilot::Border> found;
@@ -98,7 +99,8 @@ RatioHistogram weighed_samples(std::span<const TrialFindings> groups, const BinW
 
 }  // namespace
 
-Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std::uint64_t steps) {
+Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std::uint64_t steps,
+               const std::function<bool()>& is_over) {
   Pilot pilot{.steps_per_chain = static_cast<double>(steps)};
   for (const TrialFindings& group : groups) {
     pilot.samples += group.log->samples;
@@ -110,7 +112,8 @@ Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std
       chain.add(state.ratio, worth(state.bin) * group.light_of_states[state.stratum]);
   }
   if (!worth.is_even()) pilot.weighed = weighed_samples(groups, worth);
-  if (steps > 0) pilot.borders = borders_of(groups, worth, pilot, borders_around(pilot.b()));
+  if (steps > 0)
+    pilot.borders = borders_of(groups, worth, pilot, borders_around(pilot.b()), is_over);
   return pilot;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -16,7 +17,9 @@ namespace wander {
 std::uint64_t seed_of_pilot(std::uint64_t seed);
 
 // From what its groups of one chain each found, after so many steps of each.
-Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std::uint64_t steps);
+// `is_over`: nobody wants to know any more, and what is told is of no use.
+Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std::uint64_t steps,
+               const std::function<bool()>& is_over);
 
 // τ and τ' of the chains' part with each border, from the variance of the groups' films between each other
 // (deposit_spread.h), over that of a single draw,
@@ -28,7 +31,8 @@ Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std
 // hard light.
 inline constexpr std::uint64_t steps_of_long_pilot = 1 << 14;  // of each chain
 std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, const BinWorth& worth,
-                                      const Pilot& pilot, std::span<const double> borders);
+                                      const Pilot& pilot, std::span<const double> borders,
+                                      const std::function<bool()>& is_over);
 
 // `late` as it would be after so many steps of each chain.  Where chains mix τ is the same after any
 // number of steps.  Where they do not it grows with them, for what they know of how much light lies

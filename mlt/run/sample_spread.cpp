@@ -34,7 +34,8 @@ void add(std::span<const Carried> paths, const BinWorth& worth, Partition side, 
 }  // namespace
 
 std::vector<double> paths_together(std::span<const TrialFindings> groups, const BinWorth& worth,
-                                   std::span<const double> borders) {
+                                   std::span<const double> borders,
+                                   const std::function<bool()>& is_over) {
   std::vector<Sums> sums(borders.size());
   std::vector<Carried> paths;  // of one sample
   for (const TrialFindings& group : groups) {
@@ -42,6 +43,7 @@ std::vector<double> paths_together(std::span<const TrialFindings> groups, const 
     for (std::size_t i = 0; i < found.size(); ++i) {
       paths.push_back({found[i].bin, found[i].light, found[i].ratio});
       if (i + 1 < found.size() && found[i + 1].sample == found[i].sample) continue;
+      if (is_over()) return std::vector<double>(borders.size(), 1);
       std::ranges::stable_sort(paths, {}, &Carried::bin);
       for (std::size_t k = 0; k < borders.size(); ++k) add(paths, worth, {borders[k]}, sums[k]);
       paths.clear();

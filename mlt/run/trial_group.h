@@ -36,11 +36,7 @@ class TrialGroup {
     source_.start_chains(others);
     if (!takes_steps()) return;
     turns_ = source_.turns();
-    for (int k = 0; k < chains(); ++k) {
-      auto chain = source_.chain(k);
-      const Features start = source_.features_of(chain.chain.current());
-      members_.push_back({std::move(chain), start});
-    }
+    members_.resize(static_cast<std::size_t>(chains()));
   }
   void advance(std::uint64_t steps) {
     turns_->take(steps, [this](std::size_t k) { step(k); });
@@ -69,8 +65,19 @@ class TrialGroup {
     Features current;  // of its state
   };
 
+  // A chain begins with its first step.
+  Member& member(std::size_t k) {
+    std::optional<Member>& of_chain = members_[k];
+    if (!of_chain) {
+      auto chain = source_.chain(static_cast<int>(k));
+      const Features start = source_.features_of(chain.chain.current());
+      of_chain.emplace(Member{std::move(chain), start});
+    }
+    return *of_chain;
+  }
+
   void step(std::size_t k) {
-    Member& member = members_[k];
+    Member& member = this->member(k);
     member.chain.step([&](const auto& step) {
       source_.for_each_deposit(static_cast<int>(k), step, member.current,
                                [this](const auto& state, int, int bin, double weight, const auto&) {
@@ -86,7 +93,7 @@ class TrialGroup {
   Chains source_;
   TrialLog log_;
   std::optional<typename Chains::Turns> turns_;  // once the chains have started
-  std::vector<Member> members_;                  // by chain
+  std::vector<std::optional<Member>> members_;   // by chain; none before its first step
   std::uint64_t steps_ = 0;
 };
 

@@ -129,8 +129,10 @@ TEST(DepositSpread, IsNotKnownOfTwoGroups) {
   EXPECT_TRUE(deposit_spreads(made.groups, even, std::array{c}).empty());
 }
 
+bool goes_on() { return false; }
+
 double together(std::span<const TrialFindings> groups, const BinWorth& worth) {
-  return paths_together(groups, worth, std::array{c}).front();
+  return paths_together(groups, worth, std::array{c}, goes_on).front();
 }
 
 TEST(PathsOfASample, AreOneWhereTheyFallOnOneBin) {
@@ -144,6 +146,20 @@ TEST(PathsOfASample, AreOneWhereTheyFallOnOneBin) {
   const double alone = 1.2 * 1.2 * 2 + 1.5 * 1.5 * 2;
   EXPECT_NEAR(together(made.groups, even), (alone + 2 * 1.2 * 1.5) / alone, 1e-12);
   EXPECT_EQ(together({}, even), 1);
+}
+
+TEST(PathsOfASample, AreLeftWhenNobodyWantsToKnowAnyMore) {
+  const BinWorth even(std::array{bins}, {});
+  Trial made;
+  TrialLog& log = made.add();
+  for (std::uint64_t i = 0; i < 100; ++i) {
+    log.found.push_back({i, 1, 2, 2});
+    log.found.push_back({i, 1, 3, 3});
+  }
+  int asked = 0;
+  const auto is_over = [&asked] { return ++asked == 3; };
+  EXPECT_EQ(paths_together(made.groups, even, std::array{c}, is_over).size(), 1);
+  EXPECT_EQ(asked, 3);
 }
 
 TEST(PathsOfASample, CountAsTheirBinIsWorth) {
@@ -163,10 +179,10 @@ TEST(PathsOfASample, AreAskedWithEachBorderByItself) {
   TrialLog& log = made.add();
   log.found = {{0, 2, 2, 1}, {0, 1, 2, 2}, {0, 2, 3, 9}, {1, 1, 7, 3}, {1, 1, 3, 30}};
   const std::array borders{c, 100 * c, c / 8};
-  const std::vector<double> found = paths_together(made.groups, even, borders);
+  const std::vector<double> found = paths_together(made.groups, even, borders, goes_on);
   ASSERT_EQ(found.size(), borders.size());
   for (std::size_t k = 0; k < borders.size(); ++k)
-    EXPECT_EQ(found[k], paths_together(made.groups, even, std::array{borders[k]}).front());
+    EXPECT_EQ(found[k], paths_together(made.groups, even, std::array{borders[k]}, goes_on).front());
   // On bin 2 one pair of the first sample, on bin 1 one of the second.
   const Partition side{100 * c};
   const auto light = [&](const TrialLog::Found& path) {

@@ -15,6 +15,8 @@ namespace {
 constexpr int bins = 8;
 constexpr std::uint64_t steps = 800;
 
+bool goes_on() { return false; }
+
 // 64 groups whose draws are kept for so many steps.
 class Groups {
  public:
@@ -38,10 +40,10 @@ class Groups {
   Pilot::Border border(std::size_t groups = 64) const {
     const auto first = std::span(findings_).first(groups);
     const BinWorth even(std::array{bins}, {});
-    const Pilot pilot = pilot_of(first, even, 0);
+    const Pilot pilot = pilot_of(first, even, 0, goes_on);
     Pilot after = pilot;
     after.steps_per_chain = static_cast<double>(steps);
-    return borders_of(first, even, after, std::array{border_}).front();
+    return borders_of(first, even, after, std::array{border_}, goes_on).front();
   }
 
  private:
@@ -83,9 +85,9 @@ TEST(StepsPerDrawOfFilms, IsThatOfDrawsOnFewBins) {
     groups.push_back({&log, 0, {1}});
   }
   const BinWorth even(std::array{2}, {});
-  Pilot pilot = pilot_of(groups, even, 0);
+  Pilot pilot = pilot_of(groups, even, 0, goes_on);
   pilot.steps_per_chain = static_cast<double>(steps);
-  const Pilot::Border border = borders_of(groups, even, pilot, std::array{1.0}).front();
+  const Pilot::Border border = borders_of(groups, even, pilot, std::array{1.0}, goes_on).front();
   EXPECT_NEAR(border.steps_per_draw / kept, 1, 0.55);
 }
 
@@ -179,9 +181,9 @@ Pilot::Border border_where(std::uint64_t steps, int chains, int bins_of_chain) {
     groups.push_back({&log, 0, {1}});
   }
   const BinWorth even(std::array{bins}, {});
-  Pilot pilot = pilot_of(groups, even, 0);
+  Pilot pilot = pilot_of(groups, even, 0, goes_on);
   pilot.steps_per_chain = static_cast<double>(steps);
-  return borders_of(groups, even, pilot, std::array{1.0}).front();
+  return borders_of(groups, even, pilot, std::array{1.0}, goes_on).front();
 }
 double evenness_of(std::uint64_t steps, int chains, int bins_of_chain) {
   return border_where(steps, chains, bins_of_chain).evenness;
@@ -230,7 +232,7 @@ TEST(Pilots, AddUpWhatTheirGroupsFound) {
   log.states = {{0, 0, 4}, {1, 1, 4}};
   const TrialLog other = log;
   const std::vector<TrialFindings> groups{{&log, 300, {0.25, 0.5}}, {&other, 300, {0.25, 0.5}}};
-  const Pilot pilot = pilot_of(groups, BinWorth(std::array{2}, groups), 0);
+  const Pilot pilot = pilot_of(groups, BinWorth(std::array{2}, groups), 0, goes_on);
   EXPECT_EQ(pilot.samples, 100);
   EXPECT_EQ(pilot.rays, 600);
   EXPECT_EQ(pilot.b(), 2 * (3 + 5 + 2.5) / 100);
@@ -239,7 +241,7 @@ TEST(Pilots, AddUpWhatTheirGroupsFound) {
   EXPECT_EQ(pilot.states().count(), 1.5);
   EXPECT_TRUE(pilot.borders.empty()) << "no steps";
   const BinWorth worth(std::array{1, 2}, groups);
-  const Pilot of_image = pilot_of(groups, worth, 0);
+  const Pilot of_image = pilot_of(groups, worth, 0, goes_on);
   EXPECT_EQ(of_image.b(), pilot.b());
   EXPECT_DOUBLE_EQ(of_image.states().count(), 2 * (0.25 * worth(0) + 0.5 * worth(1)));
   // Without the path that brought most.

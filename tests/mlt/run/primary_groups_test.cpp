@@ -2,8 +2,10 @@
 // threads.  False alarms: 1e-9 per decision.
 #include <gtest/gtest.h>
 
+#include <cereal/archives/binary.hpp>
 #include <numeric>
 #include <set>
+#include <sstream>
 
 #include "tests/support/allocation_counter.h"
 #include "tests/support/expect.h"
@@ -233,7 +235,7 @@ void expect_no_allocation(const Flat& space) {
   Chains group(space, PrimaryKernel<Kelemen>{Kelemen{}, 0.3}, 1, 0, 4);
   group.add_seeds(500);
   group.start_chains(SeedTally(space.max_vertices()));
-  group.advance(1);
+  group.advance(500);  // until all of its chains have begun
   const AllocationCounter allocations;
   group.advance(3000);
   // The film of a length is made when its first path comes.
@@ -242,6 +244,29 @@ void expect_no_allocation(const Flat& space) {
 TEST_P(PrimaryRooms, StepsNeverAllocate) {
   expect_no_allocation<PssmltGroup<Flat, Kelemen, KelemenWeights>>(space_);
   expect_no_allocation<MmltGroup<Flat, Kelemen, KelemenWeights>>(space_);
+}
+
+// A chain begins with its first step: of so many lengths a run of few steps comes to few, and neither makes nor
+// keeps the paths of the others.
+TEST_P(PrimaryRooms, OfFewStepsFewChainsBegin) {
+  const auto size_after = [this](std::uint64_t steps) {
+    description::Scene scene = describe();
+    scene.max_vertices = 60;
+    const FlatScene long_scene = build(scene);
+    const Flat space(*long_scene, Roulette::off);
+    MmltGroup<Flat, Kelemen, KelemenWeights> group(space, {Kelemen{}, 0.3}, 1, 0, 1);
+    group.add_seeds(200);
+    group.end_seeds();
+    group.start_chains(SeedTally(space.max_vertices()));
+    group.advance(steps);
+    std::ostringstream state;
+    cereal::BinaryOutputArchive archive(state);
+    group.serialize_chains(archive);
+    return static_cast<double>(state.str().size());
+  };
+  const double none = size_after(0), few = size_after(3), all = size_after(2000);
+  EXPECT_GT(few, none);
+  EXPECT_LT(few - none, 0.2 * (all - none)) << none << ' ' << few << ' ' << all;
 }
 
 }  // namespace
