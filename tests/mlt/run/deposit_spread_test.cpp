@@ -152,7 +152,7 @@ TEST(PathsOfASample, AreLeftWhenNobodyWantsToKnowAnyMore) {
   const BinWorth even(std::array{bins}, {});
   Trial made;
   TrialLog& log = made.add();
-  for (std::uint64_t i = 0; i < 100; ++i) {
+  for (std::uint32_t i = 0; i < 100; ++i) {
     log.found.push_back({i, 1, 2, 2});
     log.found.push_back({i, 1, 3, 3});
   }
