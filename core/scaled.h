@@ -95,9 +95,8 @@ class Scaled {
       *this = normalized();
   }
 
-  // The same number, with the exponent field of the mantissa moved into the exponent.  Rare, and kept
-  // apart so that products stay small enough to be inlined.
-  [[gnu::noinline, gnu::cold]] constexpr Scaled normalized() const {
+  // The same number, with the exponent field of the mantissa moved into the exponent.
+  constexpr Scaled normalized() const {
     Scaled s = *this;
     std::int64_t field = exponent_field(s.mantissa_);
     if (field == 0x7ff) return s;  // infinity and NaN stay what they are

@@ -29,6 +29,13 @@ Segment<W>::Segment(Point from, Point to)
              std::max(largest_coordinate(from), largest_coordinate(to))) {}
 
 template <World W>
+typename W::Square Segment<W>::parameter(Point p, PrimitiveId<W>) const {
+  const Point along = to_ - from_;
+  const Length u = glm::dot(p - from_, along) / glm::dot(along, along);
+  return {into_unit<typename W::Real>(u)};
+}
+
+template <World W>
 Arc<W>::Arc(Point center, Length radius, Length start, Length extent, Facing facing)
     : center_(center),
       first_(std::cos(start), std::sin(start)),

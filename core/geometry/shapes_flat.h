@@ -63,10 +63,7 @@ class Segment {
   SurfacePoint<W> sample(typename W::Square u) const {
     return {from_ + (to_ - from_) * Length(u[0]), normal_};
   }
-  typename W::Square parameter(Point p, PrimitiveId<W> = {}) const {
-    const Point along = to_ - from_;
-    return {into_unit<typename W::Real>(glm::dot(p - from_, along) / glm::dot(along, along))};
-  }
+  typename W::Square parameter(Point p, PrimitiveId<W> = {}) const;
   Length measure() const { return length_; }
   Box<W> bounds() const { return {glm::min(from_, to_), glm::max(from_, to_)}; }
 

@@ -71,9 +71,10 @@ double quantile(std::vector<double> x, double probability) {
   return low == high ? low : (1 - share) * low + share * high;
 }
 
-// An integer that is the greater the greater x is: its bits, those of negative numbers turned.
+// An integer that is the greater the greater x is, and the same for zeros of both signs: its bits, those of negative
+// numbers turned.  The sort relies on it, and writes anywhere if it is not so.
 std::uint64_t ordered_bits(double x) {
-  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto bits = std::bit_cast<std::uint64_t>(x + 0.0);  // -0 + 0 is 0
   constexpr std::uint64_t sign = std::uint64_t{1} << 63;
   return bits & sign ? ~bits : bits | sign;
 }

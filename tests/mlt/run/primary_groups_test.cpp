@@ -245,7 +245,7 @@ TEST_P(PrimaryRooms, StepsNeverAllocate) {
 }
 
 // A chain begins with its first step: of so many lengths a run of few steps comes to few, and makes the paths of no
-// others.
+// others.  With 3 of 59 chains there are a sixth of the allocations, films of lengths included; had all begun, nine tenths.
 TEST_P(PrimaryRooms, OfFewStepsFewChainsBegin) {
   description::Scene scene = describe();
   scene.max_vertices = 60;

@@ -149,6 +149,18 @@ TEST(Diagnostics, DoNotDependOnUnits) {
   }
 }
 
+// As many as are sorted by their bits, the least of which are zeros of both signs, a positive one first.
+TEST(Diagnostics, AskNotForTheSignOfZero) {
+  Draws draws = autoregressive(0.5, 2, 3000);
+  for (double& x : draws.values) x = std::max(x, 0.0);
+  draws.values.front() = 0;
+  Draws signed_zeros = draws;
+  for (std::size_t i = 1; i < draws.values.size(); i += 2)
+    if (draws.values[i] == 0) signed_zeros.values[i] = -0.0;
+  EXPECT_EQ(rank_r_hat(signed_zeros), rank_r_hat(draws));
+  EXPECT_EQ(ess_bulk(signed_zeros), ess_bulk(draws));
+}
+
 void expect_unknown(const Draws& draws) {
   EXPECT_TRUE(std::isnan(rank_r_hat(draws)));
   EXPECT_TRUE(std::isnan(split_r_hat(draws)));
@@ -202,8 +214,8 @@ TEST(AutocorrelationTime, OfChainsThatAreTooShortIsNaN) {
 
 // Draws per event of the mean itself, not of ranks: where few draws carry the mean, the two differ.
 TEST(AutocorrelationTime, IsThatOfTheMean) {
-  const Draws draws = mapped(autoregressive(0.9, 4, 1000),
-                             [](std::size_t, double x) { return std::exp(4 * x); });
+  const Draws draws =
+      mapped(autoregressive(0.9, 4, 1000), [](std::size_t, double x) { return std::exp(4 * x); });
   EXPECT_DOUBLE_EQ(autocorrelation_time(draws), 4000 / ess_mean(draws));
   EXPECT_GT(std::abs(ess_mean(draws) / ess_bulk(draws) - 1), 0.05);
 }
