@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <string>
+#include <vector>
 
 #include "core/joined_path.h"
 
@@ -34,7 +35,8 @@ inline std::string name_of_class(PathClass code) {
   return letters + letter(Event::detection);
 }
 
-// Classes as they are met, numbered from 1; 0 is for all that find no place any more.
+// Classes as they are met, numbered from 1; 0 is for all that find no place any more.  Whoever counts by
+// class keeps entries for those that were met alone, in room for all (room_for_classes): few ever are.
 class ClassTable {
  public:
   static constexpr std::size_t most_classes = 255;
@@ -67,5 +69,23 @@ class ClassTable {
   std::vector<std::uint16_t> places_;  // open addressing; at most half of them are taken
   std::vector<PathClass> codes_;
 };
+
+// Entries of the one class that there is from the start; those of the others come without an allocation.
+template <class Entry>
+std::vector<Entry> room_for_classes(std::size_t entries_of_class = 1) {
+  std::vector<Entry> entries;
+  entries.reserve((ClassTable::most_classes + 1) * entries_of_class);
+  entries.resize(entries_of_class);
+  return entries;
+}
+
+// The entries of a class, which may be new.
+template <class Entry>
+Entry* entries_of(std::vector<Entry>& entries, std::size_t index,
+                  std::size_t entries_of_class = 1) {
+  const std::size_t first = index * entries_of_class;
+  if (entries.size() <= first) entries.resize(first + entries_of_class);
+  return &entries[first];
+}
 
 }  // namespace wander

@@ -11,6 +11,7 @@
 #include "lab/film_mean.h"
 #include "mlt/run/large_pooled_film.h"
 #include "mlt/run/normalized_film.h"
+#include "mlt/run/reliability.h"
 #include "mlt/run/warnings.h"
 
 namespace wander {
@@ -86,11 +87,7 @@ FilmEstimate ChainFindings::unbiased() const {
     groups += part.settings.groups;
   }
   FilmEstimate film = mean_film(films);
-  for (std::size_t j = 0; j < film.value.size(); ++j)
-    film.reliable[j] =
-        groups >= GroupsFilm::fewest_groups && film.value[j] > 0 &&
-        film.value[j] * film.value[j] >=
-            fewest_effective_samples * film.standard_error[j] * film.standard_error[j];
+  tell_reliable(film, static_cast<std::size_t>(groups));
   return film;
 }
 

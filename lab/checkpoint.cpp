@@ -1,7 +1,6 @@
 #include "lab/checkpoint.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <cstring>
 #include <fstream>
@@ -26,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/6";
+constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/7";
 
 class Refusal {
  public:
@@ -49,19 +48,12 @@ std::string bytes_of_size(std::uint64_t size) {
 }
 
 // None if it is not what is packed there.
-std::optional<std::string> unpacked(std::string_view bytes) {
-  constexpr std::size_t best_compression = 2048;  // more than deflate reaches
+std::optional<std::string> state_in(std::string_view bytes) {
   std::uint64_t size = 0;
   if (bytes.size() < sizeof size) return std::nullopt;
   std::memcpy(&size, bytes.data() + bytes.size() - sizeof size, sizeof size);
   bytes.remove_suffix(sizeof size);
-  if (size / best_compression > bytes.size()) return std::nullopt;
-  std::string state(size, '\0');
-  auto found = static_cast<uLongf>(size);
-  const int result =
-      uncompress(reinterpret_cast<Bytef*>(state.data()), &found,
-                 reinterpret_cast<const Bytef*>(bytes.data()), static_cast<uLong>(bytes.size()));
-  return result == Z_OK && found == size ? std::optional(std::move(state)) : std::nullopt;
+  return unpacked(bytes, size);
 }
 
 ordered_json header_of(const Checkpoint& c) {
@@ -172,7 +164,7 @@ Checkpoint read_checkpoint(const fs::path& directory, std::string_view remedy) {
                          program_version()));
     Checkpoint checkpoint = from_header(header);
     checkpoint.turned();
-    auto state = unpacked(bytes);
+    auto state = state_in(bytes);
     if (!state) refuse("its state cannot be read");
     checkpoint.run.state = *std::move(state);
     return checkpoint;

@@ -1,9 +1,9 @@
 // The file in which a run is kept beside its record, so that it can be carried on.
 //
-//   "wanderlight-checkpoint/3\n" HEADER "\n" STATE SEAL
+//   "wanderlight-checkpoint/N\n" HEADER "\n" STATE SEAL
 //
 // HEADER is one line of JSON: what was asked for, with the text of the scene, and how far the run
-// has come.  STATE, compressed by zlib, is read by the version of the program that wrote it.
+// has come.  STATE, packed by zstd, is read by the version of the program that wrote it.
 #pragma once
 
 #include <filesystem>

@@ -1,10 +1,9 @@
 #include "lab/packing.h"
 
-#include <zlib.h>
+#include <zstd.h>
 
-#include <algorithm>
 #include <array>
-#include <limits>
+#include <new>
 #include <ostream>
 #include <stdexcept>
 #include <streambuf>
@@ -47,37 +46,39 @@ void write_through(const ByteSink& sink, const std::function<void(std::ostream&)
 }
 
 struct Packing::Stream {
-  z_stream state{};
-  std::array<char, 1 << 16> packed{};
+  std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context{ZSTD_createCCtx(), &ZSTD_freeCCtx};
+  std::array<char, 1 << 17> packed{};
+
+  // All of `bytes`, and to the end of the frame with ZSTD_e_end.
+  void pack(std::string_view bytes, ZSTD_EndDirective directive, const ByteSink& file) {
+    ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
+    std::size_t left = 0;
+    do {
+      ZSTD_outBuffer out{packed.data(), packed.size(), 0};
+      left = ZSTD_compressStream2(context.get(), &out, &in, directive);
+      if (ZSTD_isError(left)) throw std::runtime_error("the state of the run cannot be compressed");
+      file({packed.data(), out.pos});
+    } while (directive == ZSTD_e_end ? left > 0 : in.pos < in.size);
+  }
 };
 
-// States are mostly zeros, of what has not yet happened: little effort packs them well.
+// States are zeros, of what has not yet happened, and numbers in which nothing repeats: more effort
+// packs them hardly better.
 Packing::Packing(const ByteSink& file) : file_(file), stream_(std::make_unique<Stream>()) {
-  if (deflateInit(&stream_->state, Z_BEST_SPEED) != Z_OK)
-    throw std::runtime_error("the state of the run cannot be compressed");
+  if (!stream_->context) throw std::bad_alloc();
+  ZSTD_CCtx_setParameter(stream_->context.get(), ZSTD_c_compressionLevel, -1);
 }
-Packing::~Packing() { deflateEnd(&stream_->state); }
+Packing::~Packing() = default;
 
-void Packing::add(std::string_view bytes) {
-  constexpr std::size_t most = std::numeric_limits<uInt>::max();
-  for (; !bytes.empty(); bytes.remove_prefix(std::min(most, bytes.size()))) {
-    stream_->state.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    stream_->state.avail_in = static_cast<uInt>(std::min(most, bytes.size()));
-    deflate(Z_NO_FLUSH);
-  }
-}
+void Packing::add(std::string_view bytes) { stream_->pack(bytes, ZSTD_e_continue, file_); }
+void Packing::end() { stream_->pack({}, ZSTD_e_end, file_); }
 
-void Packing::end() { deflate(Z_FINISH); }
-
-// All that has been added; with Z_FINISH, to the end of the stream.
-void Packing::deflate(int flush) {
-  z_stream& state = stream_->state;
-  do {
-    state.next_out = reinterpret_cast<Bytef*>(stream_->packed.data());
-    state.avail_out = static_cast<uInt>(stream_->packed.size());
-    ::deflate(&state, flush);
-    file_({stream_->packed.data(), stream_->packed.size() - state.avail_out});
-  } while (state.avail_out == 0);
+std::optional<std::string> unpacked(std::string_view frame, std::uint64_t size) {
+  constexpr std::uint64_t best_compression = 1 << 16;  // more than zstd reaches
+  if (size / best_compression > frame.size()) return std::nullopt;
+  std::string bytes(size, '\0');
+  const std::size_t found = ZSTD_decompress(bytes.data(), bytes.size(), frame.data(), frame.size());
+  return !ZSTD_isError(found) && found == size ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
 }  // namespace wander

@@ -1,9 +1,12 @@
-// Bytes on their way into a file: from an ostream to whoever takes pieces, and packed by zlib.
+// Bytes on their way into a file: from an ostream to whoever takes pieces, and packed by zstd.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "records/atomic_file.h"
@@ -13,7 +16,7 @@ namespace wander {
 // write(ostream), whose bytes go to `sink` piece by piece.
 void write_through(const ByteSink& sink, const std::function<void(std::ostream&)>& write);
 
-// The zlib stream of all that is added, as zlib's uncompress() reads it.
+// One frame of zstd [RFC 8878] of all that is added.
 class Packing {
  public:
   explicit Packing(const ByteSink& file);
@@ -26,10 +29,12 @@ class Packing {
 
  private:
   struct Stream;
-  void deflate(int flush);
 
   const ByteSink& file_;
   std::unique_ptr<Stream> stream_;
 };
+
+// What became this frame, if it has this size; none if it has not, or if this is no frame.
+std::optional<std::string> unpacked(std::string_view frame, std::uint64_t size);
 
 }  // namespace wander

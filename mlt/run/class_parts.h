@@ -14,7 +14,7 @@ class ClassParts {
  public:
   // A state, and w_M of it.
   void add(PathClass path_class, double of_chains) {
-    Part& part = parts_[classes_.index(path_class)];
+    Part& part = *entries_of(parts_, classes_.index(path_class));
     part.states += 1;
     part.of_chains += of_chains;
   }
@@ -39,7 +39,7 @@ class ClassParts {
   };
 
   ClassTable classes_;
-  std::vector<Part> parts_ = std::vector<Part>(ClassTable::most_classes + 1);
+  std::vector<Part> parts_ = room_for_classes<Part>();
 };
 
 }  // namespace wander

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "mlt/run/reliability.h"
+
 namespace wander {
 
 namespace {
@@ -51,8 +53,6 @@ void GroupsFilm::add_dark_group() {
   }
 }
 
-// A bin is reliable when its value is known as well as `fewest_effective_samples` independent
-// events would tell it.
 FilmEstimate GroupsFilm::estimate() const {
   FilmEstimate film{.shape = resolution_, .value = mean_};
   film.degrees_of_freedom = std::max(0, groups_ - 1);
@@ -61,9 +61,8 @@ FilmEstimate GroupsFilm::estimate() const {
     const double variance = squares_[i] / pairs;
     film.standard_error.push_back(groups_ > 1 ? std::sqrt(variance)
                                               : std::numeric_limits<double>::quiet_NaN());
-    film.reliable.push_back(groups_ >= fewest_groups && mean_[i] > 0 &&
-                            mean_[i] * mean_[i] >= fewest_effective_samples * variance);
   }
+  tell_reliable(film, static_cast<std::size_t>(groups_));
   film.by_length = lengths_;
   for (auto& [vertices, values] : film.by_length)
     for (double& value : values) value /= groups_;

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "mlt/run/deposit.h"
+#include "mlt/run/reliability.h"
 #include "statistics/jackknife.h"
 
 namespace wander {
@@ -67,12 +67,6 @@ std::map<int, std::vector<double>> by_length(std::span<const SharedLight> runs, 
   return films;
 }
 
-// A bin is reliable when enough films know it as well as so many independent events would.
-bool is_reliable(std::size_t films, double value, double error) {
-  return films >= static_cast<std::size_t>(GroupsFilm::fewest_groups) && value > 0 &&
-         value * value >= fewest_effective_samples * error * error;
-}
-
 }  // namespace
 
 FilmEstimate mean_film(const SharedLight& run, std::vector<int> shape) {
@@ -92,8 +86,8 @@ FilmEstimate mean_film(const SharedLight& run, std::vector<int> shape) {
         count > 1 ? pixels * std::sqrt(squares / (count * (count - 1))) : not_known;
     film.value.push_back(pixels * mean);
     film.standard_error.push_back(error);
-    film.reliable.push_back(is_reliable(parts.count(), pixels * mean, error));
   }
+  tell_reliable(film, parts.count());
   film.by_length = by_length(runs, pixels);
   return film;
 }
@@ -149,8 +143,8 @@ FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& 
     const double value = b * pixels * share, error = pixels * jackknife_error(values, weights);
     film.value.push_back(value);
     film.standard_error.push_back(error);
-    film.reliable.push_back(is_reliable(lit, value, error));
   }
+  tell_reliable(film, lit);
   film.degrees_of_freedom = jackknife_degrees(deviations);
   film.by_length = by_length(runs, b * pixels * static_cast<double>(parts.count()) / mass);
   return film;

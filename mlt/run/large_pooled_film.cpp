@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mlt/run/reliability.h"
 #include "mlt/run/run_shares.h"
 #include "statistics/jackknife.h"
 
@@ -202,7 +203,6 @@ PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupF
   const int channels = channels_of(shape);
   const LargePool pool(runs, groups, constant, channels);
   const double pixels = static_cast<double>(pool.bins()) / channels;
-  const bool is_lit = pool.lit() >= static_cast<std::size_t>(GroupsFilm::fewest_groups);
   FilmEstimate film{.shape = std::move(shape)};
   make_room(film);
   std::vector<double> part_of_samples;
@@ -216,13 +216,12 @@ PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupF
     film.value.push_back(pixels * value);
     part_of_samples.push_back(pixels * samples);
     film.standard_error.push_back(pixels * error);
-    film.reliable.push_back(is_lit && value > 0 &&
-                            value * value >= fewest_effective_samples * error * error);
     of_samples += variance;
     of_chains += of_films * of_films;
     for (std::size_t f = 0; f < without.size(); ++f)
       deviations[f] += (without[f] - value) * (without[f] - value);
   }
+  tell_reliable(film, pool.lit());
   // The samples' part has as many as it has samples [Satterthwaite 1946].
   const double ratio = of_chains > 0 ? 1 + of_samples / of_chains : 1;
   film.degrees_of_freedom = std::min(jackknife_degrees(deviations) * ratio * ratio, 1e6);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mlt/run/reliability.h"
 #include "statistics/jackknife.h"
 
 namespace wander {
@@ -51,14 +52,13 @@ FilmEstimate normalized_film(std::span<const GroupFindings> groups, const Consta
     const double error = bins * jackknife.error(j, constant.without);
     film.value.push_back(value);
     film.standard_error.push_back(error);
-    film.reliable.push_back(lit >= GroupsFilm::fewest_groups && value > 0 &&
-                            value * value >= fewest_effective_samples * error * error);
     for (std::size_t g = 0; g < groups.size(); ++g) {
       const double d =
           constant.without[g] * jackknife.without(j, g) / constant.b.value - jackknife.value(j);
       deviations[g] += d * d;
     }
   }
+  tell_reliable(film, static_cast<std::size_t>(lit));
   film.degrees_of_freedom = jackknife_degrees(deviations);
   film.by_length = by_length(groups, constant.b.value * bins / mass_of(films));
   return film;

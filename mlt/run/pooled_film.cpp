@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "mlt/run/reliability.h"
 #include "mlt/run/run_shares.h"
 #include "statistics/jackknife.h"
 
@@ -218,11 +219,10 @@ PooledFilm pooled_film(std::span<const GroupFindings> groups, std::span<const in
     film.value.push_back(value);
     of_samples.push_back(pool.of_samples(j));
     film.standard_error.push_back(error);
-    film.reliable.push_back(lit >= GroupsFilm::fewest_groups && value > 0 &&
-                            value * value >= fewest_effective_samples * error * error);
     for (std::size_t g = 0; g < groups.size(); ++g)
       deviations[g] += (without[g] - value) * (without[g] - value);
   }
+  tell_reliable(film, static_cast<std::size_t>(lit));
   film.degrees_of_freedom = jackknife_degrees(deviations);
   film.by_length = pool.by_length();
   return {std::move(film), pool.level() * pool.mean().of_samples / constant.b.value,

@@ -35,7 +35,7 @@ struct SeedEvidence {
   std::vector<RatioHistogram> ratios;
   std::vector<Sum> film;
   ClassTable classes;
-  std::vector<Sum> by_class = std::vector<Sum>(ClassTable::most_classes + 1);
+  std::vector<Sum> by_class = room_for_classes<Sum>();
 
   SeedEvidence(int strata, std::size_t cells)
       : ratios(static_cast<std::size_t>(strata)), film(cells) {}
@@ -167,7 +167,7 @@ class SeedSlice {
     if (tally_.techniques.has(seed.vertices))
       tally_.techniques.row(seed.vertices)[static_cast<std::size_t>(seed.technique)] += seed.weight;
     evidence_.film[raster_.cell(bin)] += seed.weight;
-    evidence_.by_class[evidence_.classes.index(path_class_of(x))] += seed.weight;
+    *entries_of(evidence_.by_class, evidence_.classes.index(path_class_of(x))) += seed.weight;
   }
 
   const Space* space_;

@@ -10,7 +10,7 @@ MutationStatistics::MutationStatistics(std::span<const std::string_view> names,
     : places_(places),
       lengths_(static_cast<std::size_t>(std::min(max_vertices, most_vertices)) - 1),
       by_length_(lengths_ * names.size()),
-      by_class_((ClassTable::most_classes + 1) * names.size()),
+      by_class_(room_for_classes<Outcomes>(names.size())),
       groups_of_class_(ClassTable::most_classes + 1) {
   for (const std::string_view name : names) {
     Tally& tally = tallies_.emplace_back();

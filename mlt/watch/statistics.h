@@ -160,7 +160,7 @@ class MutationStatistics {
     return by_length_[length * tallies_.size() + mutation];
   }
   Outcomes& by_class(std::size_t index, std::size_t mutation) {
-    return by_class_[index * tallies_.size() + mutation];
+    return entries_of(by_class_, index, tallies_.size())[mutation];
   }
   Outcomes total(std::size_t mutation) const;
   std::size_t lengths() const { return lengths_; }
