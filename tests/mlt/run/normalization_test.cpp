@@ -37,7 +37,7 @@ class Groups {
       group.tally.squares[0] += 1;
       group.evidence.ratios[0].add(1);
       group.evidence.film[0] += 1;
-      group.evidence.by_class[group.evidence.classes.index(0b1)] += 1;
+      *entries_of(group.evidence.by_class, group.evidence.classes.index(0b1)) += 1;
     }
     group.states.add(1);
     if (first > 0) group.film.add(2, 0, first);
@@ -99,6 +99,18 @@ TEST(NormalizedFilm, TrustsBinsOfEnoughGroupsAndSamples) {
   const FilmEstimate film = normalized_film(groups.findings(), b, {2});
   EXPECT_TRUE(film.reliable[0]);
   EXPECT_FALSE(film.reliable[1]) << "one group alone reached it";
+}
+
+// Fifteen that found light, and five that found none, whose error is small enough.
+TEST(NormalizedFilm, CountsTheGroupsThatFoundLight) {
+  for (const int lit : {15, 16}) {
+    Groups groups;
+    for (int g = 0; g < 20; ++g) groups.add(3, g < lit ? 10 + g % 2 : 0, g < lit ? 8 : 0);
+    const Constant b{.b = {0.3, 0}, .without = std::vector<double>(20, 0.3)};
+    const FilmEstimate film = normalized_film(groups.findings(), b, {2});
+    EXPECT_GT(film.value[0], 20 * film.standard_error[0]);
+    EXPECT_EQ(film.reliable[0], lit == 16);
+  }
 }
 
 TEST(Constants, AreThreeAndTheSeedPassStandsInForWhatFails) {

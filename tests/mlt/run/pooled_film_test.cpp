@@ -164,5 +164,14 @@ TEST(PooledFilm, TrustsBinsOfEnoughGroupsAlone) {
   EXPECT_TRUE(pooled(enough, b, {16}).film.reliable[0]);
 }
 
+TEST(PooledFilm, CountsTheGroupsWhoseChainsFoundLight) {
+  for (const int lit : {15, 16}) {
+    Groups groups;
+    for (int g = 0; g < 16; ++g) groups.add(1, 2, 3, 1.5, 0.5, g < lit ? 1 : 0);
+    const Constant b{.b = {0.5, 0}, .without = std::vector<double>(16, 0.5)};
+    EXPECT_EQ(pooled(groups, b, {16}).film.reliable[0], lit == 16) << lit;
+  }
+}
+
 }  // namespace
 }  // namespace wander::test::pooled_film_test
