@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "mlt/run/light_by_ratio.h"
 
@@ -134,23 +135,23 @@ const Choice& best_of(std::span<const Choice> choices) {
   return *std::ranges::min_element(choices, {}, &Choice::work);
 }
 
-// The one that leaves least to chains, but no more to samples than what lies below `enough`, if there is one.
-const Choice& safest(std::span<const Choice> choices, double enough) {
-  return *std::ranges::min_element(choices, [enough](const Choice& one, const Choice& other) {
-    const double c = one.pooling.partition.c, than = other.pooling.partition.c;
-    if (c == than) return one.work < other.work;
-    return c > enough || than > enough ? c < than : c > than;
-  });
+// The one that leaves least to chains, of those that leave to samples no more than what lies below `most`
+// and whose work is no more than `work`.
+Choice safest(std::span<const Choice> choices, double most, double work) {
+  std::vector<Choice> among(choices.begin(), choices.end());
+  std::erase_if(
+      among, [=](const Choice& one) { return one.pooling.partition.c > most || one.work > work; });
+  return *std::ranges::min_element(
+      among, {}, [](const Choice& one) { return std::pair(-one.pooling.partition.c, one.work); });
 }
 
 Choice chosen_of(std::span<const Choice> choices, double enough, double risk) {
+  constexpr double any = std::numeric_limits<double>::infinity();
   const Choice& best = best_of(choices);
-  const Choice& without_risk = safest(choices, enough);
-  if (best.pooling.partition.c <= enough && without_risk.work <= risk * best.work)
-    return without_risk;
-  std::vector<Choice> good(choices.begin(), choices.end());
-  std::erase_if(good, [&best](const Choice& one) { return one.work > about_as_good * best.work; });
-  return good.empty() ? best : safest(good, enough);
+  if (best.pooling.partition.c > enough) return safest(choices, any, risk * best.work);
+  const Choice without_risk = safest(choices, enough, any);
+  return without_risk.work <= risk * best.work ? without_risk
+                                               : safest(choices, enough, about_as_good * best.work);
 }
 
 }  // namespace

@@ -113,7 +113,8 @@ std::vector<double> borders_around(double b);
 // steps, is no more than a quarter above the least, those with the largest c are taken, up to 2¹⁰ b: what samples
 // find beyond it is rare enough to be a firefly, and some of it may not have been seen.  Chains that were asked may
 // promise a multiple of what they keep: where with 2¹⁰ b it is no more than `risk` times the least, it is 2¹⁰ b.
-// (Where the least lies beyond, samples promise as much, and chains have what is rare.)  ρ is of the powers of
+// Where the least lies beyond, next to nothing is left to chains, which know it by one or two of them: there the
+// largest border is taken whose V (1 + ρ κ) is no more than `risk` times the least.  ρ is of the powers of
 // two between these, but no more than with which samples take `most_cost` times as long as steps: little is lost where
 // time is what is given, and who gives a number of steps does not wait for much more than these.
 inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 64,

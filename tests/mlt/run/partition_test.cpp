@@ -20,7 +20,7 @@ Pilot pilot_of(std::initializer_list<std::pair<double, int>> paths, double sampl
 }
 constexpr std::size_t bins = 100;
 
-// What a pilot without states says of a border: parts of V, and V_b.
+// What a pilot without states says of a border: parts of V, and V_b.  Its borders have one τ.
 struct Work {
   double parts, total;
 };
@@ -37,9 +37,10 @@ Work work(const Pilot& pilot, double c, double rho) {
     chains += light * std::pow(l / (l + c), 2);
     hard += light * l / (l + c);
   }
-  const double spread = usual_steps_per_draw * (b * chains - hard * hard);
-  return {samples + usual_steps_per_draw * b * chains,
-          (samples + spread) / (bins * std::pow(1 - hard / b, 2))};
+  const double steps =
+      pilot.borders.empty() ? usual_steps_per_draw : pilot.borders.front().steps_per_draw;
+  const double spread = steps * (b * chains - hard * hard);
+  return {samples + steps * b * chains, (samples + spread) / (bins * std::pow(1 - hard / b, 2))};
 }
 // V (1 + ρ κ)
 double work(const Pilot& pilot, const Pooling& with) {
@@ -83,13 +84,11 @@ Pooling by_rule(const Pilot& pilot) {
   const Pooling best = std::ranges::min(all, {}, of);
   const double enough = 1.25 * work(pilot, best);
   std::erase_if(all, [&](const Pooling& one) { return work(pilot, one) > enough; });
-  // The largest up to 2¹⁰ b, or else the smallest.
-  double c = 0, smallest = INFINITY;
-  for (const Pooling& one : all) {
-    if (one.partition.c <= 1024 * pilot.b()) c = std::max(c, one.partition.c);
-    smallest = std::min(smallest, one.partition.c);
-  }
-  if (c == 0) c = smallest;
+  // The largest up to 2¹⁰ b, or, if the best lies beyond, of all.
+  const bool beyond = best.partition.c > 1024 * pilot.b();
+  double c = 0;
+  for (const Pooling& one : all)
+    if (beyond || one.partition.c <= 1024 * pilot.b()) c = std::max(c, one.partition.c);
   std::erase_if(all, [&](const Pooling& one) { return one.partition.c != c; });
   return std::ranges::min(all, {}, of);
 }
@@ -125,6 +124,27 @@ TEST(Pooling, LeavesToChainsWhatTheyPromiseTwice) {
   }
   EXPECT_GE(safe, 1);
   EXPECT_GE(risky, 1);
+}
+
+// Where the best leaves next to nothing to chains, what leaves less still is taken if it is not twice as dear.
+TEST(Pooling, LeavesHardlyAnyLightToChainsThatHardlyKnowIt) {
+  int further = 0;
+  for (const double draw : {1e3, 4e3, 16e3, 64e3}) {
+    Pilot pilot = pilot_of({{1, 5000}, {2000, 100}});
+    for (const double c : borders_around(pilot.b()))
+      pilot.borders.push_back({.c = c, .steps_per_draw = draw, .steps_per_draw_of_total = draw});
+    std::vector<Pooling> all = all_choices(pilot);
+    const auto of = [&](const Pooling& one) { return work(pilot, one); };
+    const Pooling best = std::ranges::min(all, {}, of);
+    ASSERT_TRUE(is_telling(pilot));
+    ASSERT_GT(best.partition.c, 1024 * pilot.b()) << draw;
+    std::erase_if(all, [&](const Pooling& one) { return of(one) > 2 * of(best); });
+    const double largest =
+        std::ranges::max(all, {}, [](const Pooling& one) { return one.partition.c; }).partition.c;
+    EXPECT_EQ(best_pooling(pilot, bins, usual_most_cost, worth_a_risk).partition.c, largest);
+    further += largest > best.partition.c ? 1 : 0;
+  }
+  EXPECT_GE(further, 1);
 }
 
 // Where even chains that mix at once would hardly do better than samples, none are asked.
