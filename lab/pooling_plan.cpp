@@ -18,7 +18,7 @@ PoolingPlan PoolingPlanner::by_chains(Pilot pilot) const {
     pilot.steps_per_seed =
         steps() / static_cast<double>(std::max(settings_.fewest_seeds, seeds_for(pilot)));
   return plan(pilot, settings_.seed_share ? with_seed_share(pilot, *settings_.seed_share)
-                                          : best_pooling(pilot, bins_, most_cost(), worth_a_risk));
+                                          : cautious_pooling(pilot, bins_, most_cost()));
 }
 
 double PoolingPlanner::steps_per_chain() const {

@@ -15,6 +15,10 @@ namespace {
 constexpr double fewest_samples_of_a_pilot = 64, enough_effective_samples = 512;
 constexpr double nearly_best = 1.05;  // of light that is called easy
 constexpr double as_good = 1.02;      // of fewer samples, and more steps for what they have not met
+// How many times the least work a choice may take that leaves less to chains; and one that leaves to samples all light
+// that was seen.
+constexpr double about_as_good = 1.25, worth_a_risk = 2.5;
+constexpr double hardly_any_light = 1. / 1024;
 constexpr double smallest_border = 0x1p-2, largest_border = 0x1p18, border_of_all_light = 0x1p48,
                  largest_safe_border = 0x1p10;  // over b
 
@@ -48,10 +52,15 @@ class Variance {
     return of_samples(border) / samples_per_step + draws + border.unvisited * steps_per_chain_ +
            of_seeds(side);
   }
+  // E_π[w_M]: the share of light that is left to chains
+  double of_chains(const Pilot::Border& border) const {
+    const Partition side{border.c / b_};
+    return mean([&](double l) { return side.of_chains(l); });
+  }
   // V_b(ρ) / b², if the bridge had this border
   double of_total(const Pilot::Border& border, double samples_per_step) const {
     const Partition side{border.c / b_};
-    const double hard = mean([&](double l) { return side.of_chains(l); });
+    const double hard = of_chains(border);
     const double squared = mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
     const double chains = border.steps_per_draw_of_total * std::max(0.0, squared - hard * hard);
     return (of_samples(border) / samples_per_step + chains) / (bins_ * (1 - hard) * (1 - hard));
@@ -97,7 +106,8 @@ std::vector<Pilot::Border> borders_of(const Pilot& pilot) {
 
 struct Choice {
   Pooling pooling;
-  double work = 0;  // V (1 + ρ κ)
+  double work = 0;       // V (1 + ρ κ)
+  double of_chains = 0;  // share of light
 };
 
 double cost_of_sample(const Pilot& pilot) {
@@ -116,7 +126,9 @@ void add_choices(const Pilot& pilot, const Variance& variance, double samples_pe
     const double work =
         (variance.of_parts(border, samples_per_step) + of_total) * (1 + samples_per_step * cost);
     if (std::isnan(work)) continue;
-    choices.push_back({{{border.c}, samples_per_step, border.steps_per_draw, cost}, work});
+    choices.push_back({{{border.c}, samples_per_step, border.steps_per_draw, cost},
+                       work,
+                       variance.of_chains(border)});
   }
 }
 
@@ -145,13 +157,38 @@ Choice safest(std::span<const Choice> choices, double most, double work) {
       among, {}, [](const Choice& one) { return std::pair(-one.pooling.partition.c, one.work); });
 }
 
-Choice chosen_of(std::span<const Choice> choices, double enough, double risk) {
-  constexpr double any = std::numeric_limits<double>::infinity();
+constexpr double any_border = std::numeric_limits<double>::infinity();
+
+Choice about_the_best(std::span<const Choice> choices, double enough) {
   const Choice& best = best_of(choices);
-  if (best.pooling.partition.c > enough) return safest(choices, any, risk * best.work);
-  const Choice without_risk = safest(choices, enough, any);
-  return without_risk.work <= risk * best.work ? without_risk
-                                               : safest(choices, enough, about_as_good * best.work);
+  const double most = best.pooling.partition.c > enough ? any_border : enough;
+  return safest(choices, most, about_as_good * best.work);
+}
+
+// The least border from `enough` on beyond which hardly any light is known.
+double border_of_seen_light(std::span<const Choice> choices, double enough) {
+  double least = any_border;
+  for (const Choice& one : choices)
+    if (const double c = one.pooling.partition.c; c >= enough && one.of_chains <= hardly_any_light)
+      least = std::min(least, c);
+  return least;
+}
+
+Choice of_least_risk(std::span<const Choice> choices, double enough) {
+  const Choice& best = best_of(choices);
+  const double most = std::max(best.pooling.partition.c, border_of_seen_light(choices, enough));
+  const Choice by_samples = safest(choices, most, worth_a_risk * best.work);
+  return by_samples.pooling.partition.c >= enough ? by_samples : about_the_best(choices, enough);
+}
+
+// By a rule, if there is anything to choose.
+template <class Rule>
+Pooling chosen_by(Rule&& rule, const Pilot& pilot, std::size_t bins, double most_cost) {
+  if (!is_telling(pilot)) return pooling(pilot, fewest_samples_per_step, bins);
+  const std::vector<Choice> choices = all_choices(pilot, bins, most_cost);
+  if (choices.empty())
+    return {.samples_per_step = fewest_samples_per_step, .cost_of_sample = cost_of_sample(pilot)};
+  return rule(choices, largest_safe_border * pilot.b()).pooling;
 }
 
 }  // namespace
@@ -215,12 +252,12 @@ Pooling pooling(const Pilot& pilot, double samples_per_step, std::size_t bins) {
   return choices.empty() ? Pooling{.samples_per_step = samples_per_step} : best_of(choices).pooling;
 }
 
-Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost, double risk) {
-  if (!is_telling(pilot)) return pooling(pilot, fewest_samples_per_step, bins);
-  const std::vector<Choice> choices = all_choices(pilot, bins, most_cost);
-  if (choices.empty())
-    return {.samples_per_step = fewest_samples_per_step, .cost_of_sample = cost_of_sample(pilot)};
-  return chosen_of(choices, largest_safe_border * pilot.b(), risk).pooling;
+Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost) {
+  return chosen_by(about_the_best, pilot, bins, most_cost);
+}
+
+Pooling cautious_pooling(const Pilot& pilot, std::size_t bins, double most_cost) {
+  return chosen_by(of_least_risk, pilot, bins, most_cost);
 }
 
 std::optional<Pooling> pooling_of_easy_light(const Pilot& samples, std::size_t bins,

@@ -53,10 +53,6 @@ inline constexpr double usual_steps_per_draw = 16;
 // passes of ten scenes it was 2.4 to 4.1, and samples beside the chains cost somewhat less.
 inline constexpr double rays_per_step = 5, rays_per_step_in_space = 4;
 
-// How many times the least work a choice may take that leaves less to chains (best_pooling); and one that leaves
-// nearly all to samples, once chains of a pilot were asked.
-inline constexpr double about_as_good = 1.25, worth_a_risk = 2;
-
 // What a pilot knows (pilot.h): a small run that is no part of the film.
 struct Pilot {
   // Of its samples, l of what they found, and how many rays they took.
@@ -110,17 +106,19 @@ std::vector<double> borders_around(double b);
 //
 // Chains are known by few excursions of few of them, and where V errs it is too small: it knows nothing of what they have
 // not met.  What samples leave unknown is known.  So of all ρ and c whose V (1 + ρ κ), with κ the cost of a sample in
-// steps, is no more than a quarter above the least, those with the largest c are taken, up to 2¹⁰ b: what samples
-// find beyond it is rare enough to be a firefly, and some of it may not have been seen.  Chains that were asked may
-// promise a multiple of what they keep: where with 2¹⁰ b it is no more than `risk` times the least, it is 2¹⁰ b.
-// Where the least lies beyond, next to nothing is left to chains, which know it by one or two of them: there the
-// largest border is taken whose V (1 + ρ κ) is no more than `risk` times the least.  ρ is of the powers of
+// steps, is no more than a quarter above the least, those with the largest c are taken, up to 2¹⁰ b, or up to the
+// border beyond all light if the least lies beyond 2¹⁰ b, where next to nothing is left to chains.  ρ is of the powers of
 // two between these, but no more than with which samples take `most_cost` times as long as steps: little is lost where
 // time is what is given, and who gives a number of steps does not wait for much more than these.
 inline constexpr double fewest_samples_per_step = 1.0 / 16, most_samples_per_step = 64,
                         usual_most_cost = 32, most_cost_of_given_steps = 4;
-Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost = usual_most_cost,
-                     double risk = about_as_good);
+Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost = usual_most_cost);
+
+// Of a pilot whose chains were asked.  They may promise a multiple of what they keep: so all light that was seen is
+// left to samples, if that takes no more than two and a half times the least work.  What was not seen is the chains',
+// who may find it: the border is the least from 2¹⁰ b beyond which there is hardly any light (a thousandth), or else
+// the largest before it, from 2¹⁰ b, with which it takes no more.  If there is none it is the best pooling.
+Pooling cautious_pooling(const Pilot& pilot, std::size_t bins, double most_cost = usual_most_cost);
 
 // What samples alone decide: with chains of which one step in sixteen told as much as a draw, nothing would take a
 // twentieth less work than 2¹⁰ b does, which leaves nearly all to samples.  Of the ρ that with it are as good as the
