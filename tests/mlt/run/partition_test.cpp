@@ -118,7 +118,7 @@ double of_chains(const Pilot& pilot, double c) {
 
 // What is chosen of a pilot whose chains were asked, by going through all there is.
 struct Cautious {
-  bool is_of_samples;  // they promise no more than twice as much
+  bool is_of_samples;  // they promise no more than two and a half times as much
   Pooling pooling;
 };
 Cautious by_cautious_rule(const Pilot& pilot) {
