@@ -12,7 +12,15 @@
 namespace wander {
 
 // What a stream is for; streams of different purposes never share a number.
-enum class Purpose : std::uint32_t { estimate, seed_pass, resample, chain, test, lengths };
+enum class Purpose : std::uint32_t {
+  estimate,
+  seed_pass,
+  resample,
+  chain,
+  test,
+  lengths,
+  test_image
+};
 
 std::array<std::uint32_t, 4> inline philox(std::array<std::uint32_t, 4> counter,
                                            std::array<std::uint32_t, 2> key) {

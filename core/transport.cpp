@@ -235,6 +235,26 @@ void Transport<W>::evaluate_emission(Path<W>& x) const {
   x[1].from_light = faces ? static_cast<Real>(v.geometry / c) : 0;
 }
 
+namespace {
+
+// Where x_i, on the sensor, is on the film.
+template <World W>
+typename W::Square film_position_at(const Scene<W>& scene, const Path<W>& x, int i) {
+  const auto& place = x[i].place;
+  if (place.shape == no_shape)
+    return *scene.camera()->film_coordinate(place.position, -x[i - 1].place.to_sensor);
+  return visit_shape([&](const auto& s) { return s.parameter(place.position, place.primitive); },
+                     scene.shape(place.shape));
+}
+
+template <World W>
+typename W::Real importance_at(const Scene<W>& scene, const Path<W>& x, int i,
+                               const ImportanceMap& importance) {
+  return static_cast<typename W::Real>(importance(scene.bin(film_position_at(scene, x, i))));
+}
+
+}  // namespace
+
 // Lambertian response We = 1/|sensor|, sampled like an emission; or a camera's.
 template <World W>
 void Transport<W>::evaluate_detection(Path<W>& x, int i) const {
@@ -248,12 +268,14 @@ void Transport<W>::evaluate_detection(Path<W>& x, int i) const {
     v.from_sensor = camera.lens_density();
     v.value = v.from_sensor * density;
     x[i - 1].from_sensor = static_cast<Real>(density * edge);
+    if (importance_ && density > 0) v.value *= importance_at(*scene_, x, i, *importance_);
     return;
   }
   const bool faces = glm::dot(direction, v.place.normal) > 0;
   constexpr Real c = W::Dimension::template half_space<Real>;
   v.from_sensor = static_cast<Real>(1 / scene_->sensor_measure());
   v.value = faces ? v.from_sensor : 0;
+  if (importance_) v.value *= importance_at(*scene_, x, i, *importance_);
   x[i - 1].from_sensor = faces ? static_cast<Real>(edge / c) : 0;
 }
 
@@ -323,13 +345,7 @@ double Transport<W>::light_choice(ShapeId shape, double u) const {
 
 template <World W>
 auto Transport<W>::film_position(const Path<W>& x) const -> typename W::Square {
-  const Vertex<W>& last = x[x.size() - 1];
-  if (last.place.shape == no_shape)
-    return *scene_->camera()->film_coordinate(last.place.position,
-                                              -x[x.size() - 2].place.to_sensor);
-  return visit_shape(
-      [&](const auto& s) { return s.parameter(last.place.position, last.place.primitive); },
-      scene_->shape(last.place.shape));
+  return film_position_at(*scene_, x, x.size() - 1);
 }
 
 static_assert(MovablePathSpace<Transport<Flatland>>);

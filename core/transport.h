@@ -16,6 +16,7 @@
 
 #include <span>
 
+#include "core/importance_map.h"
 #include "core/path_space.h"
 #include "core/rng.h"
 #include "core/scene.h"
@@ -43,7 +44,14 @@ class Transport {
   const Scene<W>& scene() const { return *scene_; }
   int max_vertices() const { return scene_->max_vertices(); }
   // The same paths, found by walks that play another roulette.
-  Transport with(Roulette roulette) const { return {*scene_, roulette}; }
+  Transport with(Roulette roulette) const { return {*scene_, roulette, importance_}; }
+  // The same paths, measured with this factor on what the sensor or the camera sees; it is there as long as the space.
+  Transport measuring(const ImportanceMap& importance) const {
+    return {*scene_, roulette_, &importance};
+  }
+  Transport measuring(ImportanceMap&&) const = delete;
+  // How much light a measure of one on this bin shows.
+  double light_of_measure(int bin) const { return importance_ ? 1 / (*importance_)(bin) : 1; }
 
   template <class Random>
   void begin_light(Path<W>& x, int i, Random& random) const {
@@ -151,6 +159,9 @@ class Transport {
  private:
   using Local = typename W::Local;
 
+  Transport(const Scene<W>& scene, Roulette roulette, const ImportanceMap* importance)
+      : scene_(&scene), roulette_(roulette), importance_(importance) {}
+
   template <class Random>
   static void draw(typename W::Square& numbers, Random& random) {
     for (auto& number : numbers) number = unit_number<Real>(random.uniform());
@@ -179,6 +190,7 @@ class Transport {
 
   const Scene<W>* scene_;
   Roulette roulette_;
+  const ImportanceMap* importance_ = nullptr;  // none: what is measured is light
 };
 
 template <World W>

@@ -26,6 +26,7 @@
 #include "mlt/run/large_film.h"
 #include "mlt/run/normalization.h"
 #include "mlt/run/path_group.h"
+#include "mlt/run/test_image.h"
 #include "mlt/run/trial_group.h"
 #include "mlt/seeds/nothing_found.h"
 #include "work/parallel.h"
@@ -47,8 +48,8 @@ class ChainRun final : public LiveRun {
   ChainRun(const char* method, const Space& space, const Kernel& kernel, const Run& run,
            const ChainSettings& settings)
       : ChainRun(method, space, run, settings) {
-    make_ = [&space, kernel, &run](const ChainSettings& of, std::uint64_t seed, double) {
-      return std::make_unique<Groups>(space, kernel, run, seed, of);
+    make_ = [this, kernel](const ChainSettings& of, std::uint64_t seed, double) {
+      return std::make_unique<Groups>(space_, kernel, run_, seed, of);
     };
     make_trial_ = [this, kernel](std::uint64_t seed, double) {
       return std::make_unique<Trial>(space_, kernel, run_, seed, settings_of_trial());
@@ -60,8 +61,8 @@ class ChainRun final : public LiveRun {
            const Run& run, const ChainSettings& settings)
       : ChainRun(method, space, run, settings) {
     is_adapted_ = false;
-    make_ = [&space, kernel, &run](const ChainSettings& of, std::uint64_t seed, double factor) {
-      return std::make_unique<Groups>(space, kernel.scaled(factor), run, seed, of);
+    make_ = [this, kernel](const ChainSettings& of, std::uint64_t seed, double factor) {
+      return std::make_unique<Groups>(space_, kernel.scaled(factor), run_, seed, of);
     };
     make_trial_ = [this, kernel](std::uint64_t seed, double factor) {
       return std::make_unique<Trial>(space_, kernel.scaled(factor), run_, seed,
@@ -74,6 +75,8 @@ class ChainRun final : public LiveRun {
   ChainSettings settings() const override { return settings_; }
   void prepare() override {
     if (is_prepared() || run_.is_interrupted()) return;
+    choose_target([this] { return run_.is_interrupted(); });
+    if (run_.is_interrupted()) return;
     if (settings_.film_parts == FilmParts::chains) return adapt();
     const auto make = [this](double kernel) {
       return make_trial_(seed_of_pilot(run_.session().seed), kernel);
@@ -157,6 +160,7 @@ class ChainRun final : public LiveRun {
     bool is_started = false;
     archive(groups, made, chains, settings_.steps_per_chain, settings_.fewest_seeds, is_started,
             is_adapted_, adaptation_, pooling_, seed_share_);
+    choose_target([] { return false; });
     make_groups(groups, made);
     if (pooling_) groups_->pool(*pooling_);
     settings_.chains_per_group = chains;
@@ -177,6 +181,17 @@ class ChainRun final : public LiveRun {
         settings_(settings),
         seed_share_(settings.seed_share.value_or(ChainSettings::usual_seed_share)) {}
 
+  // From then on the space measures by it.  It is the same whenever it is made.
+  template <class Interrupted>
+  void choose_target(Interrupted&& is_interrupted) {
+    if constexpr (Chains::Source::may_have_even_target) {
+      if (settings_.target != Target::even || importance_) return;
+      importance_ = importance_of_test_image(space_, is_interrupted);
+      if (!importance_) return;
+      space_ = space_.measuring(*importance_);
+      make_groups(settings_.groups, settings_.chains_per_group);
+    }
+  }
   // Of a pilot, or of an adaptation.
   ChainSettings settings_of_trial() const {
     ChainSettings settings = settings_;
@@ -231,7 +246,8 @@ class ChainRun final : public LiveRun {
   }
 
   const char* method_;
-  const Space& space_;
+  std::optional<ImportanceMap> importance_;  // of an even target
+  Space space_;                              // measures by it
   const Run& run_;
   ChainSettings settings_;  // once the pilot has run, as it says; of chains, those that run
   int chains_made_ = 0;     // of each group, whether they run or not

@@ -12,6 +12,7 @@ enum class DialId {
   chains,
   seed_share,
   film,
+  target,
   normalization,
   precision,
   large_step,

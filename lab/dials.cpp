@@ -84,6 +84,11 @@ const std::vector<Dial>& dial_table() {
        "pooled (default: the film of the seed pass and the chains together) or chains (of the "
        "chains alone)",
        [](Dials& dials, std::string_view text) { dials.chains.film_parts = parse_film(text); }},
+      {DialId::target, "target", "RULE",
+       "what chains of mlt come to on an image: even (default: all of it about as often, by a test "
+       "image) or light "
+       "(as often as it is bright; so in trace, and on a curve)",
+       [](Dials& dials, std::string_view text) { dials.chains.target = parse_target(text); }},
       {DialId::normalization, "normalization", "RULE",
        "where b comes from: bridge (default: bridge sampling of the seed pass and the chains), "
        "least-squares (their films) or seed (the mean of the seed pass)",

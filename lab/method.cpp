@@ -19,7 +19,7 @@ using enum DialId;
 constexpr DialSet of_all{max_vertices, precision, by_length};
 constexpr DialSet of_chains =
     of_all | DialSet{seed_share, film, normalization, large_step, kernel, maps};
-constexpr DialSet of_mlt = of_chains | DialSet{mutations, chains};
+constexpr DialSet of_mlt = of_chains | DialSet{mutations, chains, target};
 constexpr DialSet of_pssmlt = of_chains | DialSet{estimator, chains};
 // There is one chain for each path length in each group.
 constexpr DialSet of_mmlt = of_chains | DialSet{estimator};

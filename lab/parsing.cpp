@@ -205,6 +205,12 @@ FilmParts parse_film(std::string_view text) {
   return static_cast<FilmParts>(found - film_words.begin());
 }
 
+Target parse_target(std::string_view text) {
+  const auto found = std::find(target_words.begin(), target_words.end(), text);
+  if (found == target_words.end()) throw UsageError(unknown_word("target", text, target_words));
+  return static_cast<Target>(found - target_words.begin());
+}
+
 double parse_positive(std::string_view what, std::string_view text, double most) {
   const auto number = number_in<double>(text);
   if (!number || !(*number > 0) || *number > most)

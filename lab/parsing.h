@@ -38,6 +38,9 @@ NormalizationMethod parse_normalization(std::string_view text);
 inline constexpr std::array<std::string_view, 2> film_words{"chains", "pooled"};
 FilmParts parse_film(std::string_view text);
 
+inline constexpr std::array<std::string_view, 2> target_words{"even", "light"};
+Target parse_target(std::string_view text);
+
 // A number above zero, and no larger than `most`.
 double parse_positive(std::string_view what, std::string_view text, double most);
 // Seconds between two checkpoints; 0: none are kept.

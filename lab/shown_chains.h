@@ -1,6 +1,6 @@
 // The chains of a run, made one by one for those who show them: trace and replay.  They are the
-// chains that render() makes of the same scene, method and seed, as long as its budget is enough
-// for all of them and asks for no more seeds than `fewest_seeds`.  Nothing is deposited.
+// chains that render() makes of the same scene, method and seed, with the target of light on an image, as long as its
+// budget is enough for all of them and asks for no more seeds than `fewest_seeds`.  Nothing is deposited.
 #pragma once
 
 #include <string>
@@ -79,7 +79,7 @@ class ShownChains {
     }
     std::vector<double> light;
     for (std::size_t s = 0; s < by_stratum.size(); ++s)
-      light.push_back(Chains::Seeds::light(tally_, s));
+      light.push_back(Chains::Seeds::measure(tally_, s));
     places_ = order_of_chains(by_stratum, light);
   }
 

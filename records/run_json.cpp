@@ -77,6 +77,7 @@ ordered_json json_of(const PoolingRecord& pooling) {
   ordered_json json{{"samples", pooling.samples},
                     {"light_of_samples", json_of(pooling.light_of_samples)},
                     {"border", json_of(pooling.how.partition.c)},
+                    {"end", json_of(pooling.how.partition.end)},
                     {"samples_per_step", json_of(pooling.how.samples_per_step)},
                     {"steps_per_draw", json_of(pooling.how.steps_per_draw)},
                     {"cost_of_sample", json_of(pooling.how.cost_of_sample)}};

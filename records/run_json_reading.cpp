@@ -44,11 +44,16 @@ Adaptation adaptation_from(const JsonPlace& json) {
   return adaptation;
 }
 
+// Without an end there is null.
+Partition partition_from(const JsonPlace& json) {
+  Partition partition{json.at("border").number()};
+  if (const double end = json.number_if("end"); std::isfinite(end)) partition.end = end;
+  return partition;
+}
+
 PoolingRecord pooling_from(const JsonPlace& json) {
-  PoolingRecord pooling{{{json.at("border").number()},
-                         json.at("samples_per_step").number(),
-                         json.at("steps_per_draw").number(),
-                         json.at("cost_of_sample").number()},
+  PoolingRecord pooling{{partition_from(json), json.at("samples_per_step").number(),
+                         json.at("steps_per_draw").number(), json.at("cost_of_sample").number()},
                         json.at("samples"),
                         json.at("light_of_samples").number()};
   for (const JsonPlace& each : json.elements_if("by_class"))

@@ -3,14 +3,15 @@
 //   of a curve   a_j = 1: it is read on an even scale;
 //   of an image  a_j ∝ 1 / (I + ε Ī): it is looked at, and an error shows beside the light that is there,
 //                about as δ√I does.  On an even scale the highlights alone would decide.  I is that of
-//                blocks of the image as samples know it, for of a pixel few paths say nothing.
+//                the test image that the samples are (test_image.h).  Where what is measured is f v, already
+//                by such a factor, I is the measure of a block, and there is little left to even.
 // The scale is such that E_π[a] is about 1.
 #pragma once
 
+#include <optional>
 #include <span>
-#include <vector>
 
-#include "core/raster.h"
+#include "mlt/run/test_image.h"
 #include "mlt/run/trial_log.h"
 
 namespace wander {
@@ -20,15 +21,11 @@ class BinWorth {
   // `resolution`: of the film.
   BinWorth(std::span<const int> resolution, std::span<const TrialFindings> groups);
 
-  double operator()(int bin) const { return is_even() ? 1 : worth_[raster_.cell(bin)]; }
-  bool is_even() const { return worth_.empty(); }
+  double operator()(int bin) const { return worth_ ? (*worth_)(bin) : 1; }
+  bool is_even() const { return !worth_.has_value(); }
 
  private:
-  static constexpr std::size_t most_blocks = 1 << 10;
-  static constexpr double darkest = 0.05;  // ε
-
-  Raster raster_;
-  std::vector<double> worth_;  // of a block; of a curve, or of an image that is dark, none
+  std::optional<ImportanceMap> worth_;  // of a curve, or of an image that is dark, none
 };
 
 }  // namespace wander

@@ -13,6 +13,9 @@ namespace wander {
 // or of a large film nothing but its raster.
 enum class FilmParts { chains, pooled, raster };
 
+// Of the chains of mlt on an image: f v, which is about even over the film (test_image.h), or f, the light.
+enum class Target { even, light };
+
 // Where samples hardly find light (partition.h) a film is as good as they are many: they tell how bright it is, and
 // where chains start, which hardly leave the places where they do.  So the seed pass is long, and chains are many.
 struct RareLight {
@@ -29,6 +32,7 @@ struct ChainSettings {
   // would be too short to mix.  0: all run, however short they are.
   std::uint64_t steps_per_chain = 1 << 16;
   FilmParts film_parts = FilmParts::chains;
+  Target target = Target::even;
   // Of the seed pass: samples per mutation, seconds per second of chains.  None: as many as a pilot
   // finds best, for a pooled film, or else the usual.
   std::optional<double> seed_share{};

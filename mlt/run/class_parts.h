@@ -1,5 +1,5 @@
 // Which side of a pooled film (partition.h) carries the light of which class of path.  Of the states of
-// chains, whose target is f, a share b E_π[1_class] is the light of the class, and b E_π[1_class w_M] what
+// chains, each of which counts as the light that it shows, a share b E_π[1_class] is the light of the class, and b E_π[1_class w_M] what
 // of it is left to the chains; the rest, b E_π[1_class w_B], is the samples'.
 #pragma once
 
@@ -12,11 +12,11 @@ namespace wander {
 
 class ClassParts {
  public:
-  // A state, and w_M of it.
-  void add(PathClass path_class, double of_chains) {
+  // A state that shows so much light, and w_M of it.
+  void add(PathClass path_class, double of_chains, double light) {
     Part& part = *entries_of(parts_, classes_.index(path_class));
-    part.states += 1;
-    part.of_chains += of_chains;
+    part.states += light;
+    part.of_chains += light * of_chains;
   }
   std::size_t size() const { return classes_.size(); }
   PathClass path_class(std::size_t index) const { return classes_.code(index); }

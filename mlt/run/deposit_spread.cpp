@@ -114,11 +114,12 @@ double evenness(std::span<const double> values) {
 }
 
 std::vector<DepositSpread> deposit_spreads(std::span<const TrialFindings> groups,
-                                           const BinWorth& worth, std::span<const double> borders) {
+                                           const BinWorth& worth,
+                                           std::span<const Partition> borders) {
   const DepositShares shares = shares_of(groups);
   std::vector<DepositSpread> spreads;
   if (shares.groups < 3) return spreads;
-  for (const double c : borders) spreads.push_back(spread_of(shares, worth, {c}));
+  for (const Partition& side : borders) spreads.push_back(spread_of(shares, worth, side));
   return spreads;
 }
 

@@ -30,6 +30,7 @@ double evenness(std::span<const double> values);
 
 // Of each border, by the groups that deposited anything; none where there are not three.
 std::vector<DepositSpread> deposit_spreads(std::span<const TrialFindings> groups,
-                                           const BinWorth& worth, std::span<const double> borders);
+                                           const BinWorth& worth,
+                                           std::span<const Partition> borders);
 
 }  // namespace wander

@@ -1,6 +1,9 @@
 // A group of chains with all that watches them: a film, statistics, and draws.  Groups share
 // nothing; they are the unit of parallel work, and their spread is the error bar.
 //
+// Where the space has a map v (importance_map.h) the target is f v, and a deposit, or a state, counts
+// 1/v times.
+//
 // How much a group does must not depend on its slice of the seed pass, or the product of its
 // constant and what its chains deposit is biased.
 //
@@ -50,6 +53,7 @@ class ChainGroup {
         layout_(layout),
         film_(space.scene().film_shape(), space.max_vertices(), layout),
         states_(source_.evidence().ratios.size()),
+        counts_(states_.size()),
         statistics_(move_names(), layout.maps_of(space.scene().resolution()),
                     space.max_vertices()) {}
 
@@ -61,7 +65,8 @@ class ChainGroup {
   // Before the chains start, and beside them.
   void add_seeds(std::uint64_t count) {
     if (parts_.empty()) return source_.add_seeds(count);
-    source_.add_seeds(count, SampleWatcher<Space, Chains::Seeds::ratios>(parts_.front()));
+    source_.add_seeds(count,
+                      SampleWatcher<Space, Chains::Seeds::ratios>(source_.space(), parts_.front()));
   }
   const SeedTally& tally() const { return source_.tally(); }
   const SeedTally& seed_tally() const { return source_.seed_tally(); }
@@ -95,7 +100,7 @@ class ChainGroup {
   void move_samples_to(LargeSampleFilm& film) { parts_.front().move_samples_to(film); }
   // What its deposits, over the number of its steps, have to be multiplied by to be light.
   double light_of_deposits() const {
-    return Chains::deposits == Deposits::shares ? seed_tally().mean() : 1;
+    return Chains::deposits == Deposits::shares ? seed_tally().mean_measure() : 1;
   }
 
   void deliver(GroupsFilm& film, MutationStatistics& statistics, ChainDraws& draws) const {
@@ -110,9 +115,9 @@ class ChainGroup {
     const double scale = steps_ > 0 ? light_of_deposits() / static_cast<double>(steps_) : 0;
     GroupFindings found{&tally(), &seed_tally(), &source_.evidence(), &film_, parts_, scale};
     for (std::size_t k = 0; k < states_.size(); ++k) {
-      const double count = states_[k].count();
+      const double count = counts_[k];
       found.states.push_back(
-          {&states_[k], count > 0 ? Chains::Seeds::light(seed_tally(), k) / count : 0});
+          {&states_[k], count > 0 ? Chains::Seeds::measure(seed_tally(), k) / count : 0});
     }
     if (Chains::deposits == Deposits::shares)
       for (const auto& visits : statistics_.visits())
@@ -129,7 +134,7 @@ class ChainGroup {
   // Between two steps.  What follows from the slices is left out: start_chains() makes it again.
   template <class Archive>
   void serialize_chains(Archive& archive) {
-    archive(steps_, film_, states_, statistics_);
+    archive(steps_, film_, states_, counts_, statistics_);
     if (turns_) archive(*turns_);
     for (std::size_t k = 0; k < members_.size(); ++k) {
       bool has_begun = members_[k].has_value();
@@ -166,7 +171,8 @@ class ChainGroup {
       member.chain.step([&](const auto& step) {
         source_.for_each_deposit(
             static_cast<int>(k), step, member.current,
-            [this](const auto& state, int vertices, int bin, double weight, const auto& colour) {
+            [this](const auto& state, int vertices, int bin, double share, const auto& colour) {
+              const double weight = share * light_of_measure(source_.space(), bin);
               film_.add(vertices, bin, weight, colour);
               for (PooledParts& parts : parts_) {
                 const double w_M = parts.partition().of_chains(source_.ratio(state));
@@ -183,10 +189,13 @@ class ChainGroup {
     // In a group that found no light there is nothing to compare states with.
     if (!source_.found_light() || member.current.is_dark()) return;
     const auto& state = member.chain.chain.current();
-    const double ratio = source_.ratio(state);
-    states_[Chains::stratum(static_cast<int>(k))].add_within(ratio);
+    const std::size_t stratum = Chains::stratum(static_cast<int>(k));
+    const double ratio = source_.ratio(state),
+                 light = light_of_measure(source_.space(), member.current.bin);
+    states_[stratum].add_within(ratio, light);
+    ++counts_[stratum];
     if constexpr (Chains::deposits == Deposits::shares)
-      if (!parts_.empty()) parts_.front().add_state(member.current.path_class, ratio);
+      if (!parts_.empty()) parts_.front().add_state(member.current.path_class, ratio, light);
     if constexpr (Chains::has_comparable_chains)
       draws_[k].offer([&] { return source_.functionals_of(state); });
   }
@@ -203,6 +212,7 @@ class ChainGroup {
   GroupFilm film_;
   std::vector<PooledParts> parts_;      // one, if the film is pooled
   std::vector<RatioHistogram> states_;  // by stratum: f / p̄ of the state after each step
+  std::vector<double> counts_;          // by stratum: of the steps
   MutationStatistics statistics_;
   std::optional<typename Chains::Turns> turns_;  // once the chains have started
   std::vector<std::optional<Member>> members_;   // by chain; none before its first step

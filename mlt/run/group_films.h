@@ -32,9 +32,9 @@ class PooledParts {
   // Σ over samples; of a film that is not large.
   const GroupFilm& of_samples() const { return of_samples_.value(); }
 
-  // A state of the chains.
-  void add_state(PathClass path_class, double ratio) {
-    classes_.add(path_class, partition().of_chains(ratio));
+  // A state of the chains that shows so much light.
+  void add_state(PathClass path_class, double ratio, double light) {
+    classes_.add(path_class, partition().of_chains(ratio), light);
   }
   const ClassParts& classes() const { return classes_; }  // empty where states have no class
 
@@ -88,24 +88,29 @@ class SampleWatcher {
  public:
   using W = typename Space::Universe;
 
-  explicit SampleWatcher(PooledParts& parts) : parts_(&parts) {}
+  SampleWatcher(const Space& space, PooledParts& parts) : space_(&space), parts_(&parts) {}
 
   // By the balance heuristic w f/p is l, or the part of it that a path is of a sample.
-  void found(const JoinedPath<W>& x, int bin, int technique, double light) {
+  void found(const JoinedPath<W>& x, int bin, int technique, double weight) {
+    const double light = weight * light_of_measure(*space_, bin);
     if (R == Ratios::of_paths && parts_->takes_paths())
-      return parts_->add_path(x.size(), bin, light, light);
-    sample_.push_back({x.size(), technique, bin, light});
+      return parts_->add_path(x.size(), bin, light, weight);
+    if (R == Ratios::of_paths)
+      sample_.push_back({x.size(), technique, bin, light * parts_->partition().of_samples(weight)});
+    else
+      sample_.push_back({x.size(), technique, bin, light});
     if constexpr (W::channels > 1) sample_.back().tint = x.colour().colour;
   }
   void end_sample(double total) {
     if (R == Ratios::of_paths && parts_->takes_paths()) return;
-    for (Contribution& path : sample_)
-      path.value *= parts_->partition().of_samples(R == Ratios::of_paths ? path.value : total);
+    if (R == Ratios::of_samples)
+      for (Contribution& path : sample_) path.value *= parts_->partition().of_samples(total);
     parts_->add_sample(sample_);
     sample_.clear();
   }
 
  private:
+  const Space* space_;
   PooledParts* parts_;
   Contributions sample_;  // under way
 };

@@ -1,6 +1,7 @@
 #include "mlt/run/partition.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -19,6 +20,8 @@ constexpr double as_good = 1.02;      // of fewer samples, and more steps for wh
 // that was seen.
 constexpr double about_as_good = 1.25, worth_a_risk = 2.5;
 constexpr double hardly_any_light = 1. / 1024;
+constexpr std::array<double, 3> ends{0x1p6, 0x1p9, 0x1p12};  // over b, of an image
+constexpr double narrowest_band = 16;                        // from a border to an end
 constexpr double smallest_border = 0x1p-2, largest_border = 0x1p18, border_of_all_light = 0x1p48,
                  largest_safe_border = 0x1p10;  // over b
 
@@ -46,7 +49,7 @@ class Variance {
 
   // V(ρ, c) / b², but for V_b
   double of_parts(const Pilot::Border& border, double samples_per_step) const {
-    const Partition side{border.c / b_};
+    const Partition side = in_units_of_b(border);
     const double draws = border.steps_per_draw *
                          mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
     return of_samples(border) / samples_per_step + draws + border.unvisited * steps_per_chain_ +
@@ -54,12 +57,12 @@ class Variance {
   }
   // E_π[w_M]: the share of light that is left to chains
   double of_chains(const Pilot::Border& border) const {
-    const Partition side{border.c / b_};
+    const Partition side = in_units_of_b(border);
     return mean([&](double l) { return side.of_chains(l); });
   }
   // V_b(ρ) / b², if the bridge had this border
   double of_total(const Pilot::Border& border, double samples_per_step) const {
-    const Partition side{border.c / b_};
+    const Partition side = in_units_of_b(border);
     const double hard = of_chains(border);
     const double squared = mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
     const double chains = border.steps_per_draw_of_total * std::max(0.0, squared - hard * hard);
@@ -67,13 +70,16 @@ class Variance {
   }
 
  private:
+  Partition in_units_of_b(const Pilot::Border& border) const {
+    return {border.c / b_, border.end / b_};
+  }
   template <class G>
   double mean(G&& g) const {
     return light_.mean([&](double l) { return g(l / b_); });
   }
   // χ E_π[l w_B²] / b
   double of_samples(const Pilot::Border& border) const {
-    const Partition side{border.c / b_};
+    const Partition side = in_units_of_b(border);
     return border.together *
            mean([&](double l) { return l * side.of_samples(l) * side.of_samples(l); });
   }
@@ -88,7 +94,8 @@ class Variance {
   double where_it_began(double ratio) const {
     double steps_per_draw = 0;
     for (const Pilot::Border& border : borders_)
-      if (border.c <= ratio) steps_per_draw = std::max(steps_per_draw, border.steps_per_draw);
+      if (!border.side().has_end() && border.c <= ratio)
+        steps_per_draw = std::max(steps_per_draw, border.steps_per_draw);
     return steps_per_chain_ > 0 ? std::min(1.0, steps_per_draw / steps_per_chain_) : 0;
   }
 
@@ -126,7 +133,7 @@ void add_choices(const Pilot& pilot, const Variance& variance, double samples_pe
     const double work =
         (variance.of_parts(border, samples_per_step) + of_total) * (1 + samples_per_step * cost);
     if (std::isnan(work)) continue;
-    choices.push_back({{{border.c}, samples_per_step, border.steps_per_draw, cost},
+    choices.push_back({{border.side(), samples_per_step, border.steps_per_draw, cost},
                        work,
                        variance.of_chains(border)});
   }
@@ -174,11 +181,20 @@ double border_of_seen_light(std::span<const Choice> choices, double enough) {
   return least;
 }
 
-Choice of_least_risk(std::span<const Choice> choices, double enough) {
+Choice of_least_risk_without_end(std::span<const Choice> choices, double enough) {
   const Choice& best = best_of(choices);
   const double most = std::max(best.pooling.partition.c, border_of_seen_light(choices, enough));
   const Choice by_samples = safest(choices, most, worth_a_risk * best.work);
   return by_samples.pooling.partition.c >= enough ? by_samples : about_the_best(choices, enough);
+}
+
+Choice of_least_risk(std::span<const Choice> choices, double enough) {
+  std::vector<Choice> with_end, without;
+  for (const Choice& one : choices)
+    (one.pooling.partition.has_end() ? with_end : without).push_back(one);
+  const Choice safe = of_least_risk_without_end(without, enough);
+  if (with_end.empty() || about_as_good * best_of(with_end).work > safe.work) return safe;
+  return best_of(with_end);
 }
 
 // By a rule, if there is anything to choose.
@@ -212,6 +228,16 @@ std::vector<double> borders_around(double b) {
   for (double c = smallest_border; c <= largest_border; c *= 4) borders.push_back(c * b);
   borders.push_back(border_of_all_light * b);
   return borders;
+}
+
+std::vector<Partition> partitions_around(double b, FilmKind film) {
+  std::vector<Partition> all;
+  for (const double c : borders_around(b)) all.push_back({c});
+  if (film == FilmKind::curve) return all;
+  for (const double end : ends)
+    for (double c = smallest_border; c * narrowest_band <= end; c *= 4)
+      all.push_back({c * b, end * b});
+  return all;
 }
 
 double steps_per_draw(double variance_ratio, double steps) {

@@ -9,12 +9,19 @@
 // is a firefly.  The second is left to the chains, whose deposits count w_M times.  c → ∞ is
 // bidirectional path tracing, c → 0 the film of the chains alone.  docs/pooled-film.md derives it.
 //
+// On an image the chains' part may have an end C, too,
+//   w_M = l / (l + c) · C / (l + C):
+// where chains are caught wherever they come beyond it they know of that light what their seeds did, and samples
+// know it better.
+//
 // Relatives: Kelemen's weights of large steps (primary_estimator.h); selectively metropolised light
 // transport [Bitterli and Jarosz 2019]; the balance heuristic [Veach and Guibas 1995].
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -24,13 +31,20 @@ namespace wander {
 
 struct Partition {
   double c = 0;
+  double end = std::numeric_limits<double>::infinity();  // C
 
-  double of_samples(double l) const { return c > 0 ? c / (l + c) : 0; }
-  double of_chains(double l) const { return c > 0 ? l / (l + c) : 1; }
+  bool has_end() const { return std::isfinite(end); }
+  double of_samples(double l) const {
+    return has_end() ? 1 - of_chains(l) : c > 0 ? c / (l + c) : 0;
+  }
+  double of_chains(double l) const {
+    const double beyond = c > 0 ? l / (l + c) : 1;
+    return has_end() ? beyond * (end / (l + end)) : beyond;
+  }
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(c);
+    archive(c, end);
   }
 };
 
@@ -69,12 +83,15 @@ struct Pilot {
   // light lies on the film; and of how large it is in all, which unknown moves b.
   struct Border {
     double c;
+    double end = std::numeric_limits<double>::infinity();
     double steps_per_draw = usual_steps_per_draw, steps_per_draw_of_total = usual_steps_per_draw;
     double unvisited = 0;  // light of the chains' part that chains do not come to, over b
     double together = 1;   // χ, how much more samples vary than their paths alone
     // How evenly chains share what they know of that light, and how much they differ, whichever is more
     // (deposit_spread.h): where few came to it, and only these differ, it is they who speak.
     double evenness = 1;
+
+    Partition side() const { return {c, end}; }
   };
   std::vector<Border> borders{};
 
@@ -89,6 +106,9 @@ struct Pilot {
 
 // The borders that are tried; beyond the last there is no light, and all is left to samples.
 std::vector<double> borders_around(double b);
+// The same, and of an image those that have an end, after them.
+enum class FilmKind { curve, image };
+std::vector<Partition> partitions_around(double b, FilmKind film);
 
 // With ρ samples per step the variance of the film, summed over all bins by what they are worth
 // (bin_worth.h) and times the steps, is about
@@ -118,6 +138,9 @@ Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost = us
 // left to samples, if that takes no more than two and a half times the least work.  What was not seen is the chains',
 // who may find it: the border is the least from 2¹⁰ b beyond which there is hardly any light (a thousandth), or else
 // the largest before it, from 2¹⁰ b, with which it takes no more.  If there is none it is the best pooling.
+//
+// All this is said of borders without an end, beyond which chains may be caught.  With an end chains have next to nothing
+// of what catches them, and keep what they promise: the best of these is taken if it takes a quarter less work.
 Pooling cautious_pooling(const Pilot& pilot, std::size_t bins, double most_cost = usual_most_cost);
 
 // What samples alone decide: with chains of which one step in sixteen told as much as a draw, nothing would take a

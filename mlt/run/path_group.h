@@ -15,6 +15,7 @@ class PathChains : public SeededChains<Space, PathSeeds> {
   using Turns = EvenTurns;
   static constexpr Deposits deposits = Deposits::shares;
   static constexpr bool has_comparable_chains = true;
+  static constexpr bool may_have_even_target = true;
 
   PathChains(const Space& space, const Kernel& kernel, std::uint64_t seed, int group, int chains,
              const FilmLayout& layout = {})

@@ -47,7 +47,7 @@ double evenness_of_states(const Pilot& pilot, Partition side) {
 }  // namespace
 
 std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, const BinWorth& worth,
-                                      const Pilot& pilot, std::span<const double> borders,
+                                      const Pilot& pilot, std::span<const Partition> borders,
                                       const std::function<bool()>& is_over) {
   const std::vector<DepositSpread> spreads = deposit_spreads(groups, worth, borders);
   const std::vector<double> together = paths_together(groups, worth, borders, is_over);
@@ -55,9 +55,9 @@ std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, con
   const auto steps = static_cast<std::uint64_t>(pilot.steps_per_chain);
   std::vector<Pilot::Border> found;
   for (std::size_t k = 0; k < borders.size(); ++k) {
-    found.push_back({.c = borders[k], .together = together[k]});
+    found.push_back({.c = borders[k].c, .end = borders[k].end, .together = together[k]});
     if (spreads.empty()) continue;
-    const Partition side{borders[k]};
+    const Partition side = borders[k];
     double mean = 0, second_moment = 0;  // of w_M
     for (int i = states.first(); i < states.end(); ++i)
       if (const auto [number, sum] = states[i]; number > 0) {
@@ -112,8 +112,9 @@ Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std
       chain.add(state.ratio, worth(state.bin) * group.light_of_states[state.stratum]);
   }
   if (!worth.is_even()) pilot.weighed = weighed_samples(groups, worth);
+  const FilmKind film = worth.is_even() ? FilmKind::curve : FilmKind::image;
   if (steps > 0)
-    pilot.borders = borders_of(groups, worth, pilot, borders_around(pilot.b()), is_over);
+    pilot.borders = borders_of(groups, worth, pilot, partitions_around(pilot.b(), film), is_over);
   return pilot;
 }
 
@@ -142,7 +143,7 @@ double above_noise(double share, double noise = 0.25) {
 // What samples found beyond a border and chains did not, or few of them did.
 double unvisited(const Pilot& pilot, const Pilot::Border& border) {
   constexpr double fewest = 0.05;
-  const HardLight hard = hard_light(pilot, {border.c});
+  const HardLight hard = hard_light(pilot, border.side());
   if (hard.by_samples < fewest) return 0;
   constexpr double noise_between_chains = 0.5;
   return std::max(above_noise(1 - hard.by_states / hard.by_samples),
@@ -168,8 +169,9 @@ Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain
       const double power = has_grown ? std::log(tau / early.borders[k].*which) / so_far : 0;
       tau = std::min(tau * std::exp(above_noise(power) * to_come), pilot.steps_per_chain);
     }
-    not_seen = std::max(not_seen, unvisited(late, border));
-    border.unvisited = not_seen;
+    border.unvisited = unvisited(late, border);
+    if (border.side().has_end()) continue;
+    border.unvisited = not_seen = std::max(not_seen, border.unvisited);
   }
   return pilot;
 }

@@ -31,7 +31,7 @@ Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std
 // hard light.
 inline constexpr std::uint64_t steps_of_long_pilot = 1 << 14;  // of each chain
 std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, const BinWorth& worth,
-                                      const Pilot& pilot, std::span<const double> borders,
+                                      const Pilot& pilot, std::span<const Partition> borders,
                                       const std::function<bool()>& is_over);
 
 // `late` as it would be after so many steps of each chain.  Where chains mix τ is the same after any

@@ -34,7 +34,7 @@ void add(std::span<const Carried> paths, const BinWorth& worth, Partition side, 
 }  // namespace
 
 std::vector<double> paths_together(std::span<const TrialFindings> groups, const BinWorth& worth,
-                                   std::span<const double> borders,
+                                   std::span<const Partition> borders,
                                    const std::function<bool()>& is_over) {
   std::vector<Sums> sums(borders.size());
   std::vector<Carried> paths;  // of one sample
@@ -45,7 +45,7 @@ std::vector<double> paths_together(std::span<const TrialFindings> groups, const 
       if (i + 1 < found.size() && found[i + 1].sample == found[i].sample) continue;
       if (is_over()) return std::vector<double>(borders.size(), 1);
       std::ranges::stable_sort(paths, {}, &Carried::bin);
-      for (std::size_t k = 0; k < borders.size(); ++k) add(paths, worth, {borders[k]}, sums[k]);
+      for (std::size_t k = 0; k < borders.size(); ++k) add(paths, worth, borders[k], sums[k]);
       paths.clear();
     }
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mlt/run/bin_worth.h"
+#include "mlt/run/partition.h"
 #include "mlt/run/trial_log.h"
 
 namespace wander {
@@ -16,7 +17,7 @@ namespace wander {
 // with each of the borders.  Long paths come in millions: `is_over`, asked with each sample, says that nobody wants
 // to know any more.
 std::vector<double> paths_together(std::span<const TrialFindings> groups, const BinWorth& worth,
-                                   std::span<const double> borders,
+                                   std::span<const Partition> borders,
                                    const std::function<bool()>& is_over);
 
 }  // namespace wander

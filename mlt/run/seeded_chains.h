@@ -112,6 +112,9 @@ class SeededChains {
     archive(slice_);
   }
 
+  // May their target be f v, with a factor v of each bin?
+  static constexpr bool may_have_even_target = false;
+
  protected:
   SeededChains(const Space& space, std::uint64_t seed, int group, int seeds,
                const FilmLayout& layout)

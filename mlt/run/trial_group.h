@@ -49,7 +49,7 @@ class TrialGroup {
     for (const TrialLog::State& state : log_.states) ++found.light_of_states[state.stratum];
     for (std::size_t k = 0; k < found.light_of_states.size(); ++k)
       if (double& light = found.light_of_states[k]; light > 0)
-        light = Chains::Seeds::light(seed_tally(), k) / light;
+        light = Chains::Seeds::measure(seed_tally(), k) / light;
     return found;
   }
 

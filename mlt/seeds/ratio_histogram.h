@@ -41,9 +41,9 @@ class RatioHistogram {
     bins_.assign(static_cast<std::size_t>(other.end() + margin - first_), Bin{});
   }
   // Without growing: what is beyond the room goes to its edge.
-  void add_within(double ratio) {
+  void add_within(double ratio, double weight = 1) {
     if (bins_.empty()) return;
-    put(std::clamp(index_of(ratio), first_, end() - 1), ratio, 1);
+    put(std::clamp(index_of(ratio), first_, end() - 1), ratio, weight);
   }
 
   void add(const RatioHistogram& other, double weight) {

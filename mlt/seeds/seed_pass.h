@@ -6,6 +6,9 @@
 // and b_g times the mean of what its chains deposit is unbiased for any length of the chains.  Seeds are found in one sweep by weighted reservoirs; only the sample's index
 // is kept, and the path is made again from its random numbers.
 //
+// In a space with a map v (importance_map.h) all f are f v, and so are seeds and the b_g of their chains;
+// b, the film and the lengths are of light, f.
+//
 // When seeds are drawn samples may go on beside the chains: they are further evidence of b and of the
 // film, but b_g stays that of the samples that the seeds came from.
 #pragma once
@@ -29,7 +32,7 @@ class SeedReplayError : public std::runtime_error {
 };
 
 // What normalization asks of a slice beside its tally: the ratios l = f / p̄ of what it found, by
-// stratum (seeds.h), where by the balance heuristic w f/p is l; and of the samples with seeds, Σ w f/p
+// stratum (seeds.h), where by the balance heuristic w f/p is l, each as often as it shows light; and of the samples with seeds, Σ w f/p
 // of each cell of the film's raster and of each class.
 struct SeedEvidence {
   std::vector<RatioHistogram> ratios;
@@ -135,16 +138,19 @@ class SeedSlice {
     const std::uint64_t index = tally_.samples++;
     samples_.start(index);
     seeds_.start(index);
-    double total = 0;
+    double total = 0, light = 0;
     const std::uint64_t rays = sampler_.rays();
     sampler_.sample(samples_, [&](const JoinedPath<W>& x, int s, double weight) {
-      total += weight;
-      by_length_[static_cast<std::size_t>(x.size()) - 2] += weight;
-      tally_.total += weight;
-      if constexpr (Seeds::ratios == Ratios::of_paths)
-        evidence_.ratios[Seeds::stratum(x.size())].add(weight);
       const int bin = space_->bin(x.ends());
-      if (takes_seeds_) keep(x, bin, {index, x.size(), s, weight});
+      const double of_measure = light_of_measure(*space_, bin), of_path = weight * of_measure;
+      total += weight;
+      light += of_path;
+      by_length_[static_cast<std::size_t>(x.size()) - 2] += of_path;
+      tally_.total += of_path;
+      tally_.measure += weight;
+      if constexpr (Seeds::ratios == Ratios::of_paths)
+        evidence_.ratios[Seeds::stratum(x.size())].add(weight, of_measure);
+      if (takes_seeds_) keep(x, bin, of_path, {index, x.size(), s, weight});
       watcher.found(x, bin, s, weight);
     });
     tally_.rays += sampler_.rays() - rays;
@@ -152,7 +158,7 @@ class SeedSlice {
     if (total == 0) return;
     if constexpr (Seeds::ratios == Ratios::of_samples) evidence_.ratios[0].add(total);
     if (takes_seeds_) seeds_.offer_sample({.sample = index, .weight = total});
-    tally_.total_squares += total * total;
+    tally_.total_squares += light * light;
     for (std::size_t k = 0; k < by_length_.size(); ++k) {
       if (by_length_[k] == 0) continue;
       tally_.sum[k] += by_length_[k];
@@ -162,11 +168,11 @@ class SeedSlice {
   }
 
   // A path that may become a seed.
-  void keep(const JoinedPath<W>& x, int bin, const Seed& seed) {
+  void keep(const JoinedPath<W>& x, int bin, double light, const Seed& seed) {
     seeds_.offer_path(seed);
     if (tally_.techniques.has(seed.vertices))
       tally_.techniques.row(seed.vertices)[static_cast<std::size_t>(seed.technique)] += seed.weight;
-    evidence_.film[raster_.cell(bin)] += seed.weight;
+    evidence_.film[raster_.cell(bin)] += light;
     *entries_of(evidence_.by_class, evidence_.classes.index(path_class_of(x))) += seed.weight;
   }
 

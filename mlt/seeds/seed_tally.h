@@ -1,5 +1,6 @@
 // What independent bidirectional samples found: the light of all paths, of each length and by each
-// technique.
+// technique.  Where the space has a map v (importance_map.h), what they measured is f v and its
+// light 1/v times as much.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,8 @@ struct SeedTally {
   std::uint64_t rays = 0;         // of walks and connections that were tried: what the samples cost
   std::vector<Sum> sum, squares;  // by vertices - 2
   Sum total, total_squares;
-  TechniqueTable techniques;  // Σ w f/p of each
+  Sum measure;                // Σ w f v/p: where there is no map, the same as `total`
+  TechniqueTable techniques;  // of that, of each
 
   explicit SeedTally(int max_vertices)
       : sum(static_cast<std::size_t>(max_vertices) - 1),
@@ -30,6 +32,7 @@ struct SeedTally {
       squares[k] += other.squares[k];
     }
     total += other.total;
+    measure += other.measure;
     total_squares += other.total_squares;
     for (std::size_t i = 0; i < techniques.values().size(); ++i)
       techniques.values()[i] += other.techniques.values()[i];
@@ -40,6 +43,10 @@ struct SeedTally {
     return samples > 0 ? total_of_length / static_cast<double>(samples) : 0;
   }
   double mean() const { return samples > 0 ? total.value() / static_cast<double>(samples) : 0; }
+  // ∫ f v, which the target of chains is divided by
+  double mean_measure() const {
+    return samples > 0 ? measure.value() / static_cast<double>(samples) : 0;
+  }
   // (Σ x)² / Σ x²: how many samples carry the estimate.
   double effective_samples() const {
     const double squared = total_squares.value();
@@ -48,7 +55,7 @@ struct SeedTally {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(samples, rays, sum, squares, total, total_squares, techniques);
+    archive(samples, rays, sum, squares, total, total_squares, measure, techniques);
   }
 };
 

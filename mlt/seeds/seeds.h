@@ -75,7 +75,7 @@ class Reservoirs {
 
 // Beside drawing, each kind of seeds says among which strata the states of its chains are compared
 // with the seed pass (bridge.h), by the ratios of what it found: one stratum for each target
-// density that the chains have; how much light a slice has found in a stratum; and whether the walks
+// density that the chains have; how much a slice has found of what a stratum's target measures; and whether the walks
 // of samples play Russian roulette: so do those of a chain whose state is a whole sample, whose cost would
 // else grow with the square of max_vertices; a chain of one length has no use for it.
 
@@ -86,7 +86,7 @@ class PathSeeds {
   static constexpr Roulette roulette = Roulette::by_albedo;
   static constexpr Ratios ratios = Ratios::of_paths;
   static std::size_t stratum(int) { return 0; }
-  static double light(const SeedTally& tally, std::size_t) { return tally.mean(); }
+  static double measure(const SeedTally& tally, std::size_t) { return tally.mean_measure(); }
 
   PathSeeds(Rng random, int chains) : random_(random), reservoirs_(chains) {}
   void start(std::uint64_t sample) { random_.start(sample); }
@@ -111,7 +111,7 @@ class SampleSeeds {
   static constexpr Roulette roulette = Roulette::by_albedo;
   static constexpr Ratios ratios = Ratios::of_samples;
   static std::size_t stratum(int) { return 0; }
-  static double light(const SeedTally& tally, std::size_t) { return tally.mean(); }
+  static double measure(const SeedTally& tally, std::size_t) { return tally.mean(); }
 
   SampleSeeds(Rng random, int chains) : random_(random), reservoirs_(chains) {}
   void start(std::uint64_t sample) { random_.start(sample); }
@@ -136,7 +136,7 @@ class LengthSeeds {
   static constexpr Roulette roulette = Roulette::off;
   static constexpr Ratios ratios = Ratios::of_paths;
   static std::size_t stratum(int vertices) { return static_cast<std::size_t>(vertices) - 2; }
-  static double light(const SeedTally& tally, std::size_t stratum) {
+  static double measure(const SeedTally& tally, std::size_t stratum) {
     return tally.mean(static_cast<int>(stratum) + 2);
   }
 

@@ -80,7 +80,8 @@ double variance_but_for_one(const std::vector<double>& squares) {
 TEST(DepositSpread, IsTheVarianceBetweenGroups) {
   const Trial made = trial();
   const BinWorth worth(std::array{2, 3}, made.groups);
-  const DepositSpread spread = deposit_spreads(made.groups, worth, std::array{1.0, c}).back();
+  const DepositSpread spread =
+      deposit_spreads(made.groups, worth, std::array{Partition{1.0}, Partition{c}}).back();
   std::vector<Shares> groups;
   for (const TrialLog& log : made.logs)
     if (!log.deposits.empty()) groups.push_back(shares(log));
@@ -126,13 +127,13 @@ TEST(DepositSpread, IsNotKnownOfTwoGroups) {
   Trial made = trial();
   made.groups.erase(made.groups.begin() + 2, made.groups.end() - 1);
   const BinWorth even(std::array{bins}, {});
-  EXPECT_TRUE(deposit_spreads(made.groups, even, std::array{c}).empty());
+  EXPECT_TRUE(deposit_spreads(made.groups, even, std::array{Partition{c}}).empty());
 }
 
 bool goes_on() { return false; }
 
 double together(std::span<const TrialFindings> groups, const BinWorth& worth) {
-  return paths_together(groups, worth, std::array{c}, goes_on).front();
+  return paths_together(groups, worth, std::array{Partition{c}}, goes_on).front();
 }
 
 TEST(PathsOfASample, AreOneWhereTheyFallOnOneBin) {
@@ -158,7 +159,7 @@ TEST(PathsOfASample, AreLeftWhenNobodyWantsToKnowAnyMore) {
   }
   int asked = 0;
   const auto is_over = [&asked] { return ++asked == 3; };
-  EXPECT_EQ(paths_together(made.groups, even, std::array{c}, is_over).size(), 1);
+  EXPECT_EQ(paths_together(made.groups, even, std::array{Partition{c}}, is_over).size(), 1);
   EXPECT_EQ(asked, 3);
 }
 
@@ -178,13 +179,14 @@ TEST(PathsOfASample, AreAskedWithEachBorderByItself) {
   Trial made;
   TrialLog& log = made.add();
   log.found = {{0, 2, 2, 1}, {0, 1, 2, 2}, {0, 2, 3, 9}, {1, 1, 7, 3}, {1, 1, 3, 30}};
-  const std::array borders{c, 100 * c, c / 8};
+  const std::array borders{Partition{c}, Partition{100 * c}, Partition{c / 8},
+                           Partition{c / 8, 4 * c}};
   const std::vector<double> found = paths_together(made.groups, even, borders, goes_on);
   ASSERT_EQ(found.size(), borders.size());
   for (std::size_t k = 0; k < borders.size(); ++k)
     EXPECT_EQ(found[k], paths_together(made.groups, even, std::array{borders[k]}, goes_on).front());
   // On bin 2 one pair of the first sample, on bin 1 one of the second.
-  const Partition side{100 * c};
+  const Partition side = borders[1];
   const auto light = [&](const TrialLog::Found& path) {
     return path.light * side.of_samples(path.ratio);
   };

@@ -20,11 +20,11 @@ Pilot pilot_of(std::initializer_list<std::pair<double, int>> paths, double sampl
 }
 constexpr std::size_t bins = 100;
 
-// What a pilot without states says of a border: parts of V, and V_b.  Its borders have one τ.
+// What a pilot without states says of a border and its τ: parts of V, and V_b.
 struct Work {
   double parts, total;
 };
-Work work(const Pilot& pilot, double c, double rho) {
+Work work(const Pilot& pilot, Partition side, double steps, double rho) {
   const RatioHistogram found = pilot.found.without_largest();
   double all = 0, samples = 0, chains = 0, hard = 0;
   for (int i = found.first(); i < found.end(); ++i) all += found[i].sum;
@@ -33,21 +33,25 @@ Work work(const Pilot& pilot, double c, double rho) {
     const auto [count, sum] = found[i];
     if (count == 0) continue;
     const double l = sum / count, light = b * sum / all;
-    samples += light * l * std::pow(c / (l + c), 2) / rho;
-    chains += light * std::pow(l / (l + c), 2);
-    hard += light * l / (l + c);
+    const double w_M = l / (l + side.c) / (1 + l / side.end);
+    samples += light * l * std::pow(1 - w_M, 2) / rho;
+    chains += light * std::pow(w_M, 2);
+    hard += light * w_M;
   }
-  const double steps =
-      pilot.borders.empty() ? usual_steps_per_draw : pilot.borders.front().steps_per_draw;
   const double spread = steps * (b * chains - hard * hard);
   return {samples + steps * b * chains, (samples + spread) / (bins * std::pow(1 - hard / b, 2))};
 }
 // V (1 + ρ κ)
 double work(const Pilot& pilot, const Pooling& with) {
-  double least = INFINITY;
-  for (const double c : borders_around(pilot.b()))
-    least = std::min(least, work(pilot, c, with.samples_per_step).total);
-  const double parts = work(pilot, with.partition.c, with.samples_per_step).parts;
+  double least = INFINITY, parts = 0;
+  std::vector<Pilot::Border> borders = pilot.borders;
+  if (borders.empty())
+    for (const double c : borders_around(pilot.b())) borders.push_back({.c = c});
+  for (const Pilot::Border& border : borders) {
+    const Work of = work(pilot, border.side(), border.steps_per_draw, with.samples_per_step);
+    least = std::min(least, of.total);
+    if (border.c == with.partition.c && border.end == with.partition.end) parts = of.parts;
+  }
   return (parts + least) * (1 + with.samples_per_step / 2);
 }
 
@@ -58,6 +62,27 @@ TEST(Partition, LeavesNothingOut) {
       EXPECT_LE(l * Partition{c}.of_samples(l), c) << "no sample is a firefly";
     }
   EXPECT_EQ(Partition{}.of_chains(0.5), 1) << "no border: all is left to the chains";
+  for (const double l : {1e-6, 0.3, 5.0, 40.0, 1e9}) {
+    const Partition band{2, 50};
+    EXPECT_NEAR(band.of_samples(l) + band.of_chains(l), 1, 1e-15);
+    EXPECT_NEAR(band.of_chains(l), Partition{2}.of_chains(l) * 50 / (l + 50), 1e-15);
+  }
+}
+
+// Of an image there are more, after those of a curve: none so narrow that chains have less than half of anything.
+TEST(Partition, MayHaveAnEndOnAnImage) {
+  const double b = 3;
+  const std::vector<Partition> curve = partitions_around(b, FilmKind::curve),
+                               image = partitions_around(b, FilmKind::image);
+  ASSERT_EQ(curve.size(), borders_around(b).size());
+  ASSERT_GT(image.size(), curve.size());
+  for (std::size_t k = 0; k < image.size(); ++k) {
+    EXPECT_EQ(image[k].has_end(), k >= curve.size()) << k;
+    if (k < curve.size())
+      EXPECT_EQ(image[k].c, curve[k].c);
+    else
+      EXPECT_GT(image[k].of_chains(std::sqrt(image[k].c * image[k].end)), 0.5) << k;
+  }
 }
 
 TEST(Pooling, IsTheBalanceOfSamplesAndDraws) {
@@ -155,6 +180,34 @@ TEST(Pooling, LeavesToChainsWhatTheyDoMuchBetter) {
   EXPECT_GE(by_samples, 1);
   EXPECT_GE(beyond, 1);
   EXPECT_GE(by_chains, 1);
+}
+
+// The longer chains are caught without an end, the rather the border has one; but a quarter less work it must take.
+TEST(Pooling, HasAnEndWhereThatTakesAQuarterLessWork) {
+  int with_end = 0, nearly = 0;
+  for (double steps = 1; steps <= 1024; steps *= 2) {
+    Pilot pilot = pilot_of({{1, 5000}, {40, 200}, {4000, 5}});
+    for (const double c : borders_around(pilot.b()))
+      pilot.borders.push_back({.c = c, .steps_per_draw = 4096, .steps_per_draw_of_total = 4096});
+    const Pooling without = cautious_pooling(pilot, bins);
+    pilot.borders.push_back({.c = pilot.b() / 4,
+                             .end = 512 * pilot.b(),
+                             .steps_per_draw = steps,
+                             .steps_per_draw_of_total = steps});
+    std::vector<Pooling> all;
+    for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2)
+      all.push_back({{pilot.b() / 4, 512 * pilot.b()}, rho});
+    const auto of = [&](const Pooling& one) { return work(pilot, one); };
+    const Pooling best = std::ranges::min(all, {}, of);
+    const bool expected = 1.25 * of(best) <= of(without);
+    const Pooling chosen = cautious_pooling(pilot, bins);
+    EXPECT_EQ(chosen.partition.has_end(), expected) << steps;
+    EXPECT_EQ(chosen.samples_per_step, (expected ? best : without).samples_per_step) << steps;
+    if (expected) ++with_end;
+    if (!expected && of(best) < of(without)) ++nearly;
+  }
+  EXPECT_GE(with_end, 1);
+  EXPECT_GE(nearly, 1) << "no case shows the quarter";
 }
 
 // Where the best leaves next to nothing to chains, what leaves less still is taken if it is not much dearer.
@@ -324,7 +377,8 @@ TEST(Pooling, LeavesToChainsWhatTheyKnowBetterThanTheirSeeds) {
     pilot.steps_per_chain = 1000;
     pilot.steps_per_seed = steps_per_seed;
     for (const double c : borders_around(pilot.b()))
-      pilot.borders.push_back({c, steps_per_draw, steps_per_draw});
+      pilot.borders.push_back(
+          {.c = c, .steps_per_draw = steps_per_draw, .steps_per_draw_of_total = steps_per_draw});
     return best_pooling(pilot, bins).samples_per_step;
   };
   EXPECT_LE(samples_per_step(1, 30), 2) << "they move";

@@ -43,7 +43,7 @@ class Groups {
     const Pilot pilot = pilot_of(first, even, 0, goes_on);
     Pilot after = pilot;
     after.steps_per_chain = static_cast<double>(steps);
-    return borders_of(first, even, after, std::array{border_}, goes_on).front();
+    return borders_of(first, even, after, std::array{Partition{border_}}, goes_on).front();
   }
 
  private:
@@ -87,7 +87,8 @@ TEST(StepsPerDrawOfFilms, IsThatOfDrawsOnFewBins) {
   const BinWorth even(std::array{2}, {});
   Pilot pilot = pilot_of(groups, even, 0, goes_on);
   pilot.steps_per_chain = static_cast<double>(steps);
-  const Pilot::Border border = borders_of(groups, even, pilot, std::array{1.0}, goes_on).front();
+  const Pilot::Border border =
+      borders_of(groups, even, pilot, std::array{Partition{1.0}}, goes_on).front();
   EXPECT_NEAR(border.steps_per_draw / kept, 1, 0.55);
 }
 
@@ -183,7 +184,7 @@ Pilot::Border border_where(std::uint64_t steps, int chains, int bins_of_chain) {
   const BinWorth even(std::array{bins}, {});
   Pilot pilot = pilot_of(groups, even, 0, goes_on);
   pilot.steps_per_chain = static_cast<double>(steps);
-  return borders_of(groups, even, pilot, std::array{1.0}, goes_on).front();
+  return borders_of(groups, even, pilot, std::array{Partition{1.0}}, goes_on).front();
 }
 double evenness_of(std::uint64_t steps, int chains, int bins_of_chain) {
   return border_where(steps, chains, bins_of_chain).evenness;

@@ -1,11 +1,13 @@
 // What a group brings to a pooled film, samples and chains together, has no bias for any number of
-// either: E[E_j + b_g D^M_j] = I_j, for any border that does not know the group's own samples.
+// either: E[E_j + b_g D^M_j] = I_j, for any border that does not know the group's own samples, with or without an end; and
+// for any target f v, if seeds are drawn by it, b_g is that of it, and deposits count 1/v times.
 //
 // False alarms: 1e-9 per method.  Groups have one sample before the chain and one beside it, and two
 // steps, so that many are dark and chains are where they began: there the flaws of the twins show most.
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/exact/radiosity.h"
 #include "mlt/run/mmlt_group.h"
@@ -32,14 +34,24 @@ enum class Flaw {
   another_constant,   // b of all groups instead of b_g
   late_constant,      // b_g of the samples beside the chains as well
   border_of_its_own,  // c by the samples that it weighs
+  constant_of_light,  // b_g of f, of chains whose target is f v
+  undivided,          // deposits of such chains count once
 };
 
 double border_of(double light) { return 2 * light; }
 
+// Chains come to some bins much more often than light does.
+ImportanceMap uneven() { return {Raster(4), {0.25, 4, 1, 8}}; }
+
 template <class Group, class Kernel>
 class Trial {
  public:
-  Trial(const Kernel& kernel, Flaw flaw) : kernel_(kernel), flaw_(flaw) {
+  Trial(const Kernel& kernel, Flaw flaw, double end, const ImportanceMap* importance)
+      : importance_(importance),
+        space_(importance ? plain_.measuring(*importance) : plain_),
+        kernel_(kernel),
+        flaw_(flaw),
+        end_(end) {
     SeedSlice<Flat> slice(space_, 2, 0, 1);
     slice.run(20'000);
     others_.merge(slice.tally());
@@ -66,7 +78,7 @@ class Trial {
  private:
   Group made(int g, double light) const {
     Group group(space_, kernel_, 1, g, chains);
-    group.divide({{border_of(light)}});
+    group.divide({{border_of(light), end_ * light}});
     group.add_seeds(samples);
     return group;
   }
@@ -86,8 +98,9 @@ class Trial {
         flaw_ == Flaw::sides_overlap ? *found.film : found.parts.front().of_chains();
     double sum = 0;
     for (std::size_t j = 0; j < bins.size(); ++j) {
+      const double of_chains = scale * hard.weight(j) * factor_of_bin(static_cast<int>(j));
       const double light =
-          found.parts.front().of_samples().weight(j) / (samples + beside) + scale * hard.weight(j);
+          found.parts.front().of_samples().weight(j) / (samples + beside) + of_chains;
       bins[j].add(count * light);
       sum += light;
     }
@@ -97,28 +110,45 @@ class Trial {
     if (group.seed_tally().mean() == 0) return 1;
     if (flaw_ == Flaw::another_constant) return others_.mean() / group.seed_tally().mean();
     if (flaw_ == Flaw::late_constant) return group.tally().mean() / group.seed_tally().mean();
+    if (flaw_ == Flaw::constant_of_light)
+      return group.seed_tally().mean() / group.seed_tally().mean_measure();
     return 1;
+  }
+  double factor_of_bin(int bin) const {
+    return flaw_ == Flaw::undivided ? 1 / space_.light_of_measure(bin) : 1;
   }
 
   SceneMaker room_ = open_room(5);
   decltype(room_.build()) scene_ = room_.build();
-  Flat space_{*scene_, Roulette::off};
+  Flat plain_{*scene_, Roulette::off};
+  const ImportanceMap* importance_;
+  Flat space_;
   Kernel kernel_;
   Flaw flaw_;
+  double end_;  // over the light
   SeedTally others_{space_.max_vertices()};
 };
 
-Decision by_paths(Flaw flaw) {
-  return Trial<PathGroup<Flat, Family>, Family>(make_family({}, 5), flaw).run();
+constexpr double no_end = std::numeric_limits<double>::infinity();
+
+Decision by_paths(Flaw flaw, double end = no_end, const ImportanceMap* importance = nullptr) {
+  return Trial<PathGroup<Flat, Family>, Family>(make_family({}, 5), flaw, end, importance).run();
+}
+Decision by_uneven_paths(Flaw flaw) {
+  const ImportanceMap importance = uneven();
+  return by_paths(flaw, no_end, &importance);
 }
 template <template <class, class, class> class Chains, class Estimator>
 Decision by_numbers(Flaw flaw) {
   using Kernel = PrimaryKernel<Kelemen>;
-  return Trial<Chains<Flat, Kelemen, Estimator>, Kernel>({Kelemen{}, default_large_step}, flaw)
+  return Trial<Chains<Flat, Kelemen, Estimator>, Kernel>({Kelemen{}, default_large_step}, flaw,
+                                                         no_end, nullptr)
       .run();
 }
 
 TEST(PooledGroups, OfPathsHaveNoBias) { EXPECT_TRUE(passes(by_paths(Flaw::none))); }
+TEST(PooledGroups, OfABorderWithAnEndHaveNoBias) { EXPECT_TRUE(passes(by_paths(Flaw::none, 3))); }
+TEST(PooledGroups, OfAnUnevenTargetHaveNoBias) { EXPECT_TRUE(passes(by_uneven_paths(Flaw::none))); }
 TEST(PooledGroups, OfWholeSamplesHaveNoBias) {
   EXPECT_TRUE(passes(by_numbers<PssmltGroup, ExpectedValues>(Flaw::none)));
   EXPECT_TRUE(passes(by_numbers<PssmltGroup, KelemenWeights>(Flaw::none)));
@@ -140,6 +170,13 @@ TEST(PooledTwins, WithAConstantThatSamplesBesideTheChainsHaveMovedAreCaught) {
 }
 TEST(PooledTwins, WithABorderByTheSamplesThatItWeighsAreCaught) {
   EXPECT_TRUE(rejects(by_paths(Flaw::border_of_its_own)));
+}
+
+TEST(PooledTwins, WhoseUnevenTargetHasTheConstantOfLightAreCaught) {
+  EXPECT_TRUE(rejects(by_uneven_paths(Flaw::constant_of_light)));
+}
+TEST(PooledTwins, WhoseUnevenTargetIsTakenForLightAreCaught) {
+  EXPECT_TRUE(rejects(by_uneven_paths(Flaw::undivided)));
 }
 
 }  // namespace
