@@ -348,8 +348,8 @@ TEST(Pooling, HearsFromTheSamplesWhatChainsHaveNotSeen) {
     unseen.chains[0].add(1);
   }
   for (const double c : borders_around(seen.b())) {
-    seen.borders.push_back({c, 1000, 1000});
-    unseen.borders.push_back({c, 1000, 1000});
+    seen.borders.push_back({.c = c, .steps_per_draw = 1000, .steps_per_draw_of_total = 1000});
+    unseen.borders.push_back({.c = c, .steps_per_draw = 1000, .steps_per_draw_of_total = 1000});
   }
   const Pooling a = pooling(seen, 1, bins), b = pooling(unseen, 1, bins);
   EXPECT_NEAR(std::log2(b.partition.c / a.partition.c), 0, 2.01) << "a border more or less";
@@ -358,8 +358,8 @@ TEST(Pooling, HearsFromTheSamplesWhatChainsHaveNotSeen) {
 TEST(Pooling, LeavesLessToChainsThatMixBadly) {
   Pilot quick = pilot_of({{1, 5000}, {50, 100}}), slow = quick;
   for (const double c : borders_around(quick.b())) {
-    quick.borders.push_back({c, 10, 10});
-    slow.borders.push_back({c, 1000, 1000});
+    quick.borders.push_back({.c = c, .steps_per_draw = 10, .steps_per_draw_of_total = 10});
+    slow.borders.push_back({.c = c, .steps_per_draw = 1000, .steps_per_draw_of_total = 1000});
   }
   const Pooling a = pooling(quick, 1, bins), b = pooling(slow, 1, bins);
   EXPECT_EQ(a.steps_per_draw, 10);

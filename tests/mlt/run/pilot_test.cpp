@@ -99,9 +99,14 @@ TEST(StepsPerDrawOfFilms, IsNoMoreThanFourTimesTheStepsAndUsualWhereNothingIsKno
   EXPECT_EQ(stuck.border(2).steps_per_draw, usual_steps_per_draw);
 }
 
+Pilot::Border border(double c, double of_film, double of_total) {
+  return {.c = c, .steps_per_draw = of_film, .steps_per_draw_of_total = of_total};
+}
+
 // Two borders, with the τ of each.
 Pilot after(double steps, double first, double second) {
-  return {.steps_per_chain = steps, .borders = {{1, first, second}, {4, second, first}}};
+  return {.steps_per_chain = steps,
+          .borders = {border(1, first, second), border(4, second, first)}};
 }
 
 TEST(Pilots, ExpectOfChainsThatDoNotMixThatTheyGoOnSo) {
@@ -138,7 +143,7 @@ TEST(Pilots, ExpectNothingOfChainsThatHaveNotComeToTheHardLight) {
       Pilot made{.samples = 1000,
                  .chains = {{}},
                  .steps_per_chain = steps,
-                 .borders = {{1, 20, 20}, {4, 20, 20}}};
+                 .borders = {border(1, 20, 20), border(4, 20, 20)}};
       for (int i = 0; i < 1000; ++i) made.chains[0].add(i < 1000 * hard_states ? 1e9 : 1e-9);
       for (int i = 0; i < 1000; ++i) made.found.add(1e6);
       for (int i = 0; i < 1024; ++i) made.found.add(1e-6);
@@ -154,7 +159,8 @@ TEST(Pilots, ExpectNothingOfChainsThatHaveNotComeToTheHardLight) {
 
 // A quarter of the light is hard, and samples and chains agree on it; but the chains know it so evenly.
 double unvisited_if_as_even_as(double evenness) {
-  Pilot pilot{.samples = 1000, .chains = {{}}, .steps_per_chain = 500, .borders = {{1, 20, 20}}};
+  Pilot pilot{
+      .samples = 1000, .chains = {{}}, .steps_per_chain = 500, .borders = {border(1, 20, 20)}};
   pilot.borders[0].evenness = evenness;
   for (int i = 0; i < 1000; ++i) pilot.chains[0].add(i % 4 == 0 ? 1e9 : 1e-9);
   for (int i = 0; i < 1024; ++i) pilot.found.add(i % 4 == 0 ? 1e6 : 1e-6, i % 4 == 0 ? 1 : 1e12);
@@ -209,13 +215,15 @@ TEST(Pilots, CountWhatIsUnvisitedBeyondAnyBorder) {
   Pilot pilot{.samples = 1000,
               .chains = {{}},
               .steps_per_chain = 500,
-              .borders = {{1, 20, 20}, {100, 20, 20}}};
+              .borders = {border(1, 20, 20), border(100, 20, 20), border(1, 20, 20)}};
+  pilot.borders[2].end = 4;
   for (int i = 0; i < 100; ++i) pilot.chains[0].add(i < 50 ? 1e-9 : 10);
   for (int i = 0; i < 80; ++i) pilot.found.add(10);
   for (int i = 0; i < 2; ++i) pilot.found.add(1e6);  // nearly all, also of one of them
   const Pilot late = extrapolated(pilot, pilot, 500);
   EXPECT_NEAR(late.borders[1].unvisited, 1, 0.15);
   EXPECT_GE(late.borders[0].unvisited, late.borders[1].unvisited);
+  EXPECT_EQ(late.borders[2].unvisited, 0) << "what lies beyond an end is no matter of the chains";
 }
 
 TEST(Pilots, HaveSeedsOfTheirOwn) {
