@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/film_position.h"
 #include "core/shading.h"
 #include "core/texturing.h"
 
@@ -234,26 +235,6 @@ void Transport<W>::evaluate_emission(Path<W>& x) const {
   v.from_light = light.light_density;
   x[1].from_light = faces ? static_cast<Real>(v.geometry / c) : 0;
 }
-
-namespace {
-
-// Where x_i, on the sensor, is on the film.
-template <World W>
-typename W::Square film_position_at(const Scene<W>& scene, const Path<W>& x, int i) {
-  const auto& place = x[i].place;
-  if (place.shape == no_shape)
-    return *scene.camera()->film_coordinate(place.position, -x[i - 1].place.to_sensor);
-  return visit_shape([&](const auto& s) { return s.parameter(place.position, place.primitive); },
-                     scene.shape(place.shape));
-}
-
-template <World W>
-typename W::Real importance_at(const Scene<W>& scene, const Path<W>& x, int i,
-                               const ImportanceMap& importance) {
-  return static_cast<typename W::Real>(importance(scene.bin(film_position_at(scene, x, i))));
-}
-
-}  // namespace
 
 // Lambertian response We = 1/|sensor|, sampled like an emission; or a camera's.
 template <World W>

@@ -51,7 +51,7 @@ void serialize(Archive& archive, KeptReference& kept) {
 
 namespace {
 
-constexpr std::string_view format = "wanderlight-kept/2", family = "wanderlight-kept/";
+constexpr std::string_view format = "wanderlight-kept/3", family = "wanderlight-kept/";
 constexpr const char* plan_part = "plan";
 constexpr const char* reference_part = "reference";
 constexpr std::string_view runs_prefix = "runs-";

@@ -7,7 +7,7 @@
 //                which its film is read when it is wanted
 //
 // Each is written whole or not at all:
-//   "wanderlight-kept/2\n" HEADER "\n" BODY SEAL
+//   "wanderlight-kept/3\n" HEADER "\n" BODY SEAL
 // HEADER is a line of JSON: the version of the program that wrote it, which part it is, and of which
 // comparison, by a digest of the plan.  The body of the plan is JSON, and those of the others are
 // read by the version that wrote them.

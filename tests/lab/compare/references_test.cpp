@@ -116,7 +116,7 @@ TEST_F(CompareCommand, IgnoresABrokenCacheWithAWarning) {
   altered[altered.size() / 2] ^= 1;
   for (const std::string& broken :
        {std::string("{"), std::string(), whole.substr(0, whole.size() / 2), std::string("[1]"),
-        altered, std::string(R"({"schema": "wanderlight-reference/2"})")}) {
+        altered, std::string(R"({"schema": "wanderlight-reference/3"})")}) {
     std::ofstream(cached_file()) << broken;
     const Outcome outcome = compare(command);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -185,8 +185,8 @@ TEST(Pooling, LeavesToChainsWhatTheyDoMuchBetter) {
 // The longer chains are caught without an end, the rather the border has one; but a quarter less work it must take.
 TEST(Pooling, HasAnEndWhereThatTakesAQuarterLessWork) {
   int with_end = 0, nearly = 0;
-  for (double steps = 1; steps <= 1024; steps *= 2) {
-    Pilot pilot = pilot_of({{1, 5000}, {40, 200}, {4000, 5}});
+  for (double steps = 1; steps <= 4096; steps *= 1.25) {
+    Pilot pilot = pilot_of({{1, 5000}, {40, 200}, {400, 100}});
     for (const double c : borders_around(pilot.b()))
       pilot.borders.push_back({.c = c, .steps_per_draw = 4096, .steps_per_draw_of_total = 4096});
     const Pooling without = cautious_pooling(pilot, bins);

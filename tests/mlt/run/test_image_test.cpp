@@ -18,7 +18,7 @@ TEST(TestImages, AreOfImages) {
   const auto curve = open_room(4).build();
   const Transport<Flatland> flat(*curve, Roulette::off);
   EXPECT_FALSE(importance_of_test_image(flat, goes_on).has_value());
-  const Scene<Spaceland> box = space_box_by_camera(0);
+  const Scene<Spaceland> box(space_box_by_camera(0));
   const Transport<Spaceland> space(box, Roulette::off);
   EXPECT_FALSE(importance_of_test_image(space, [] { return true; }).has_value()) << "interrupted";
   EXPECT_TRUE(importance_of_test_image(space, goes_on).has_value());
@@ -26,7 +26,7 @@ TEST(TestImages, AreOfImages) {
 
 // Runs are merged as if they were one, so they have to measure alike.
 TEST(TestImages, AreTheSameWheneverTheyAreMade) {
-  const Scene<Spaceland> box = space_box_by_camera(0);
+  const Scene<Spaceland> box(space_box_by_camera(0));
   const Transport<Spaceland> space(box, Roulette::off);
   const auto once = importance_of_test_image(space, goes_on),
              again = importance_of_test_image(space, goes_on);
@@ -36,7 +36,7 @@ TEST(TestImages, AreTheSameWheneverTheyAreMade) {
 
 // Of what is measured by it every block that has light has about as much, and all together as much as before.
 TEST(TestImages, MakeTheMeasureEven) {
-  const Scene<Spaceland> box = space_box_by_camera(0);
+  const Scene<Spaceland> box(space_box_by_camera(0));
   const Transport<Spaceland> space(box, Roulette::off);
   const ImportanceMap importance = importance_of_test_image(space, goes_on).value();
   const auto resolution = box.resolution();

@@ -2,7 +2,7 @@
 // estimate them.  Against the exact film.
 //
 // False alarms: 1e-9 for each number.  Standard errors are asked to be small enough that each number would show an error of
-// a twentieth.
+// a tenth.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -26,11 +26,11 @@ using Flat = Transport<Flatland>;
 using Group = PathGroup<Flat, Family>;
 
 constexpr int groups = 64, max_vertices = 5;
-constexpr double most_errors = 6.5, shown = 0.05;  // a normal number is beyond 6.1 once in 1e9
+constexpr double most_errors = 6.5, shown = 0.1;  // a normal number is beyond 6.1 once in 1e9
 
-class Run {
+class UnevenRun {
  public:
-  explicit Run(const ImportanceMap* importance)
+  explicit UnevenRun(const ImportanceMap* importance)
       : space_(importance ? plain_.measuring(*importance) : plain_) {
     for (int g = 0; g < groups; ++g) {
       Group& group = *groups_.emplace_back(std::make_unique<Group>(space_, kernel_, 5, g, 2));
@@ -79,7 +79,7 @@ ImportanceMap uneven() { return {Raster(4), {0.25, 4, 1, 8}}; }
 
 TEST(UnevenTargets, KnowB) {
   const ImportanceMap importance = uneven();
-  const Run run(&importance);
+  const UnevenRun run(&importance);
   const std::vector<GroupFindings> found = run.findings();
   Constants b = constants(found);
   b.pooled = pooled_constant(found, std::array{groups});
@@ -91,7 +91,7 @@ TEST(UnevenTargets, KnowB) {
 
 TEST(UnevenTargets, KnowTheLightOfEachLengthAndBin) {
   const ImportanceMap importance = uneven();
-  const Run run(&importance), of_light(nullptr);
+  const UnevenRun run(&importance), of_light(nullptr);
   const std::vector<GroupFindings> found = run.findings(), other = of_light.findings();
   for (const auto method : {NormalizationMethod::seed_pass, NormalizationMethod::bridge}) {
     const auto record = normalization(found, constants(found), method).by_length,
@@ -113,20 +113,20 @@ TEST(UnevenTargets, KnowTheLightOfEachLengthAndBin) {
 // All classes together.
 TEST(UnevenTargets, KnowTheLightOfClasses) {
   const ImportanceMap importance = uneven();
-  const Run run(&importance);
+  const UnevenRun run(&importance);
   double light = 0;
   for (const GroupFindings& group : run.findings()) {
     const ClassParts& classes = group.parts.front().classes();
     for (std::size_t c = 0; c < classes.size(); ++c)
       light += group.scale * classes.states(c) / groups;
   }
-  EXPECT_NEAR(light, run.exact_b(), 2 * shown * run.exact_b());
+  EXPECT_NEAR(light, run.exact_b(), shown * run.exact_b());
 }
 
 // States of f v held against paths of f.
 TEST(UnevenTargets, ThatAreComparedWithSamplesOfLightAreCaught) {
   const ImportanceMap importance = uneven();
-  const Run run(&importance), of_light(nullptr);
+  const UnevenRun run(&importance), of_light(nullptr);
   std::vector<GroupFindings> found = run.findings();
   const std::vector<GroupFindings> other = of_light.findings();
   for (std::size_t g = 0; g < found.size(); ++g) found[g].evidence = other[g].evidence;
