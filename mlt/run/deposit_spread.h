@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mlt/run/bin_worth.h"
+#include "mlt/run/partition.h"
 #include "mlt/run/trial_log.h"
 
 namespace wander {
