@@ -226,6 +226,21 @@ TEST(Pilots, CountWhatIsUnvisitedBeyondAnyBorder) {
   EXPECT_EQ(late.borders[2].unvisited, 0) << "what lies beyond an end is no matter of the chains";
 }
 
+// What chains do not know before an end says nothing of what they know beyond the next border.
+TEST(Pilots, CountWhatIsUnvisitedBeforeAnEndByItself) {
+  Pilot pilot{.samples = 1000,
+              .chains = {{}},
+              .steps_per_chain = 500,
+              .borders = {border(100, 20, 20), border(1, 20, 20)}};
+  pilot.borders[1].end = 64;
+  for (int i = 0; i < 100; ++i) pilot.chains[0].add(i < 50 ? 1e-9 : 1e6);
+  pilot.found.add(3, 1e6 / 3);  // half of the light
+  for (int i = 0; i < 2; ++i) pilot.found.add(1e6);
+  const Pilot late = extrapolated(pilot, pilot, 500);
+  EXPECT_GT(late.borders[1].unvisited, 0.3);
+  EXPECT_EQ(late.borders[0].unvisited, 0);
+}
+
 TEST(Pilots, HaveSeedsOfTheirOwn) {
   for (const std::uint64_t seed : {0ull, 1ull, 2ull, 77ull, ~0ull}) {
     EXPECT_NE(seed_of_pilot(seed), seed);
