@@ -22,13 +22,13 @@ namespace wander {
 
 namespace {
 
-// A class with more than this share of the light …
+// A class with more than this share of all steps, which is that of the light if it is their target …
 constexpr double least_share = 0.005;
 // … in which every group would make at least so many steps, if the chains mixed, is met by more
 // than a few groups.
 constexpr double fewest_steps = 100;
 
-// So many classes are named in a warning, the brightest first.
+// So many classes are named in a warning, those of most steps first.
 constexpr std::size_t most_named = 3;
 
 // A budget that is still more times as large is no advice.
@@ -161,7 +161,7 @@ std::string few_groups(const MutationStatistics& statistics, std::size_t groups)
   std::vector<std::string> parts;
   for (const auto& visits : std::span(rare).first(std::min(rare.size(), most_named)))
     parts.push_back(fmt::format(
-        "{} ({} % of the light, {} of {} groups)", name_of_class(visits.path_class),
+        "{} ({} % of all steps, {} of {} groups)", name_of_class(visits.path_class),
         number_text(100 * static_cast<double>(visits.steps) / steps, 2), visits.groups, groups));
   if (rare.size() > most_named) parts.push_back(fmt::format("{} more", rare.size() - most_named));
   return fmt::format(

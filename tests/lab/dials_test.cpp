@@ -45,6 +45,8 @@ TEST(Dials, TakeWhatIsInTheirRange) {
   EXPECT_EQ(turned("precision", "double").precision, Precision::of_double);
   EXPECT_EQ(turned("large_step", "0.25").large_step, 0.25);
   EXPECT_EQ(turned("large_step", "1e-9").large_step, 1e-9);
+  EXPECT_EQ(turned("target", "even").chains.target, Target::even);
+  EXPECT_EQ(turned("target", "light").chains.target, Target::light);
   EXPECT_EQ(turned("kernel", "0.001").kernel, 0.001);
   EXPECT_EQ(turned("kernel", "100").kernel, 100);
   EXPECT_EQ(turned("kernel", "auto").kernel, std::nullopt);
@@ -55,6 +57,8 @@ TEST(Dials, TakeWhatIsInTheirRange) {
 TEST(Dials, RefuseWhatIsNot) {
   for (const char* text : {"half", "single", "Float", "64", ""})
     EXPECT_THROW(turned("precision", text), UsageError) << text;
+  for (const char* text : {"Even", "dark", "on", ""})
+    EXPECT_THROW(turned("target", text), UsageError) << text;
   for (const char* text : {"0", "1", "-0.1", "1.5", "nan", "inf", "0.3x", ""})
     EXPECT_THROW(turned("large_step", text), UsageError) << text;
   for (const char* text : {"0", "0.0009", "100.1", "-1", "nan", "inf", "two", ""})

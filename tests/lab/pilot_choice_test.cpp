@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "lab/compare/make_runs.h"
 #include "lab/engine.h"
@@ -42,6 +43,25 @@ TEST(ChoicesInSpace, LeaveASlitToChains) {
 TEST(Choices, AskNoChainsAboutEasyLight) {
   EXPECT_EQ(choice("article-1").how.steps_per_draw, usual_steps_per_draw);
   EXPECT_NE(choice("slit").how.steps_per_draw, usual_steps_per_draw);
+}
+
+std::vector<double> film_of(const char* scene, const char* method, Target target) {
+  Session session;
+  session.budget = SampleBudget{20'000};
+  session.seed = 1;
+  return render(Job(open_scene(std::string(gallery_prefix) + scene).scene, find_method(method),
+                    {.chains = {.target = target}}),
+                session)
+      .film.value;
+}
+
+// Of curves, and of chains of numbers, there is one target.
+TEST(Targets, AreEvenOnImagesOfChainsOfPaths) {
+  EXPECT_NE(film_of("cornell-glass", "mlt", Target::even),
+            film_of("cornell-glass", "mlt", Target::light));
+  EXPECT_EQ(film_of("article-1", "mlt", Target::even), film_of("article-1", "mlt", Target::light));
+  EXPECT_EQ(film_of("cornell-glass", "pssmlt", Target::even),
+            film_of("cornell-glass", "pssmlt", Target::light));
 }
 
 // One sample of sixty thousand finds light, and how many do says how bright the film is.  Where more find it, samples

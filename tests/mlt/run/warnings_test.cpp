@@ -243,7 +243,7 @@ TEST_F(Warnings, SayWhichClassesFewGroupsMet) {
   for (std::size_t g = 0; g < 3; ++g) visit(groups_[g], 0b101, 9000);
   const auto rare = warnings_of(draws_of({}, 1));
   ASSERT_EQ(rare.size(), 1u);
-  EXPECT_NE(rare[0].find("LDSE (30 % of the light, 3 of 64 groups)"), std::string::npos) << rare[0];
+  EXPECT_NE(rare[0].find("LDSE (30 % of all steps, 3 of 64 groups)"), std::string::npos) << rare[0];
   for (MutationStatistics& group : groups_) visit(group, 0b101, 1);
   EXPECT_TRUE(warnings_of(draws_of({}, 1)).empty());
 }
