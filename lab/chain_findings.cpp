@@ -225,7 +225,8 @@ void ChainFindings::judge(Rendering& r) const {
         "half as long as the longest",
         draws.chains(), all_chains));
   for (std::string& warning :
-       warnings({tally_of(groups_), even, chains, statistics_, count, all_chains, all_groups}))
+       warnings({tally_of(groups_), even, chains, statistics_, count, all_chains, all_groups,
+                 1 - (r.pooling ? r.pooling->light_of_samples : 0)}))
     r.warnings.push_back(std::move(warning));
 }
 

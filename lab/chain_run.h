@@ -82,7 +82,7 @@ class ChainRun final : public LiveRun {
       return make_trial_(seed_of_pilot(run_.session().seed), kernel);
     };
     PilotRun pilot(make, kernel(), space_.scene().resolution(), run_);
-    const PoolingPlanner planner(run_, settings_, bins());
+    const PoolingPlanner planner(run_, settings_, planned_film());
     const auto of_easy_light = planner.by_samples(pilot.samples());
     if (run_.is_interrupted()) return;
     if (of_easy_light) {
@@ -232,6 +232,10 @@ class ChainRun final : public LiveRun {
     return is_adapted_ && (settings_.film_parts == FilmParts::chains || pooling_);
   }
   std::size_t bins() const { return values_of(shape()); }
+  PlannedFilm planned_film() const {
+    const bool is_image = space_.scene().resolution().size() > 1;
+    return {is_image ? FilmKind::image : FilmKind::curve, bins(), space_.max_vertices()};
+  }
   std::vector<int> shape() const { return space_.scene().film_shape(); }
   MutationStatistics no_statistics() const {
     return {Chains::move_names(), settings_.film.maps_of(space_.scene().resolution()),

@@ -18,15 +18,20 @@ std::string chains_help() {
   return fmt::format(
       "chains of all {0} groups together, a multiple of {0} (default: {0}, and up to {1} where the "
       "budget gives each {2} mutations; of a pooled film where samples hardly find light, {3} and "
-      "{4}); the fewer, the longer",
+      "{4}; of a pooled image, {5} and {6}, or {7} and {8} where it has more samples than "
+      "mutations); the "
+      "fewer, the longer",
       usual.groups, usual.groups * usual.chains_per_group, usual.steps_per_chain,
-      usual.groups * RareLight::chains_per_group, RareLight::steps_per_chain);
+      usual.groups * RareLight::chains_per_group, RareLight::steps_per_chain,
+      usual.groups * chains_of_image.chains_per_group, chains_of_image.steps_per_chain,
+      usual.groups * chains_of_few_steps.chains_per_group, chains_of_few_steps.steps_per_chain);
 }
 std::string seed_share_help() {
   return fmt::format(
       "length of the seed pass: samples for each mutation of a sample budget, seconds for each "
-      "second of the chains in a time budget (default: few, and then as many beside the chains as "
-      "earn more than steps do; where samples hardly find light {} in a time budget, {} in one of "
+      "second of the chains in a time budget (default: as many as earn more than steps do, of an "
+      "image all before the chains, of a curve but for a few beside them; where samples hardly "
+      "find light {} in a time budget, {} in one of "
       "samples; with --film chains, {})",
       RareLight::seed_share_of_time, RareLight::samples_per_step, ChainSettings::usual_seed_share);
 }

@@ -8,22 +8,27 @@
 namespace wander {
 
 std::optional<PoolingPlan> PoolingPlanner::by_samples(const Pilot& samples) const {
-  if (settings_.seed_share) return {};
-  const auto pooling = pooling_of_easy_light(samples, bins_, most_cost());
+  if (settings_.seed_share || film_.kind == FilmKind::image) return {};
+  const auto pooling = pooling_of_easy_light(samples, film_.bins, most_cost());
   return pooling ? std::optional(plan(samples, *pooling)) : std::nullopt;
 }
 
 PoolingPlan PoolingPlanner::by_chains(Pilot pilot) const {
-  if (is_telling(pilot))
+  if (settings_.seed_share) return plan(pilot, with_seed_share(pilot, *settings_.seed_share));
+  if (!is_telling(pilot) && has_all_samples_before())
+    return plan(pilot, with_seed_share(pilot, seed_share_in_the_dark(pilot)));
+  if (has_all_samples_before())
+    pilot.steps_per_seed.reset();
+  else if (is_telling(pilot))
     pilot.steps_per_seed =
         steps() / static_cast<double>(std::max(settings_.fewest_seeds, seeds_for(pilot)));
-  return plan(pilot, settings_.seed_share ? with_seed_share(pilot, *settings_.seed_share)
-                                          : cautious_pooling(pilot, bins_, most_cost()));
+  return plan(pilot, cautious_pooling(pilot, film_.bins, most_cost()));
 }
 
 double PoolingPlanner::steps_per_chain() const {
+  const ChainSettings settings = settings_of_chains({}, 0);
   const double all = steps();
-  return all / (settings_.groups * settings_.chains_for(static_cast<std::uint64_t>(all)));
+  return all / (settings.groups * settings.chains_for(static_cast<std::uint64_t>(all)));
 }
 
 // Of an error it is not known.
@@ -41,31 +46,55 @@ bool PoolingPlanner::is_of_time() const {
   return std::holds_alternative<TimeBudget>(run_.session().budget);
 }
 
+// Of an image, if the budget says how many they are.
+bool PoolingPlanner::has_all_samples_before() const {
+  return film_.kind == FilmKind::image &&
+         !std::holds_alternative<ErrorBudget>(run_.session().budget);
+}
+
+ChainSettings PoolingPlanner::settings_of_chains(const Pilot& pilot,
+                                                 double samples_per_step) const {
+  ChainSettings settings = settings_;
+  if (settings_.has_given_chains()) return settings;
+  if (film_.kind == FilmKind::image) {
+    const ChainsOfImage& many = samples_per_step < 1 ? chains_of_image : chains_of_few_steps;
+    settings.chains_per_group = chains_in_memory(many.chains_per_group, film_.max_vertices);
+    settings.steps_per_chain = many.steps_per_chain;
+  } else if (finds_rare_light(pilot)) {
+    settings.chains_per_group = RareLight::chains_per_group;
+    settings.steps_per_chain = RareLight::steps_per_chain;
+  }
+  return settings;
+}
+
+double PoolingPlanner::seed_share_in_the_dark(const Pilot& pilot) const {
+  if (!finds_rare_light(pilot)) return ChainSettings::usual_seed_share;
+  return is_of_time() ? RareLight::seed_share_of_time : RareLight::samples_per_step;
+}
+
+double PoolingPlanner::seed_share(const Pilot& pilot, const Pooling& pooling) const {
+  if (settings_.seed_share) return *settings_.seed_share;
+  if (!is_telling(pilot)) return seed_share_in_the_dark(pilot);
+  if (!has_all_samples_before()) return 0;
+  return pooling.samples_per_step * (is_of_time() ? pooling.cost_of_sample : 1);
+}
+
 PoolingPlan PoolingPlanner::plan(const Pilot& pilot, const Pooling& pooling) const {
-  PoolingPlan made{pooling, settings_,
-                   settings_.seed_share.value_or(ChainSettings::usual_seed_share)};
+  PoolingPlan made{pooling, settings_of_chains(pilot, pooling.samples_per_step),
+                   seed_share(pilot, pooling)};
   // Where samples go on beside the chains, seeds need no more than the fewest, or what it takes for
   // the slice of a group to find light.
-  if (!settings_.seed_share && is_telling(pilot)) {
-    made.seed_share = 0;
+  if (!settings_.seed_share && is_telling(pilot))
     made.settings.fewest_seeds = std::max(settings_.fewest_seeds, seeds_for(pilot));
-  }
-  if (!finds_rare_light(pilot)) return made;
-  if (!settings_.seed_share)
-    made.seed_share = is_of_time() ? RareLight::seed_share_of_time : RareLight::samples_per_step;
-  if (!settings_.has_given_chains()) {
-    made.settings.chains_per_group = RareLight::chains_per_group;
-    made.settings.steps_per_chain = RareLight::steps_per_chain;
-  }
   return made;
 }
 
 // All samples before the chains: of a budget of time the share is one of seconds.
 Pooling PoolingPlanner::with_seed_share(Pilot pilot, double share) const {
-  const double cost = pooling(pilot, share, bins_).cost_of_sample;
+  const double cost = pooling(pilot, share, film_.bins).cost_of_sample;
   const double samples_per_step = is_of_time() && cost > 0 ? share / cost : share;
-  pilot.steps_per_seed = 1 / samples_per_step;
-  Pooling all_before = pooling(pilot, samples_per_step, bins_);
+  pilot.steps_per_seed.reset();
+  Pooling all_before = pooling(pilot, samples_per_step, film_.bins);
   all_before.samples_per_step = 0;
   return all_before;
 }

@@ -17,13 +17,21 @@ struct PoolingPlan {
   double seed_share;       // of the seed pass before the chains
 };
 
+// What is planned for.
+struct PlannedFilm {
+  FilmKind kind;
+  std::size_t bins;  // in all channels
+  int max_vertices;  // of its paths
+};
+
 class PoolingPlanner {
  public:
-  // `settings`: as the run was asked for.  `bins`: of its film, in all channels.
-  PoolingPlanner(const Run& run, const ChainSettings& settings, std::size_t bins)
-      : run_(run), settings_(settings), bins_(bins) {}
+  // `settings`: as the run was asked for.
+  PoolingPlanner(const Run& run, const ChainSettings& settings, const PlannedFilm& film)
+      : run_(run), settings_(settings), film_(film) {}
 
-  // Where samples alone decide; or else chains have to be asked.
+  // Where samples alone decide; or else chains have to be asked.  Of an image they always are: what few samples have not
+  // seen may be as bright as a pixel is.
   std::optional<PoolingPlan> by_samples(const Pilot& samples) const;
   PoolingPlan by_chains(Pilot pilot) const;
 
@@ -34,13 +42,17 @@ class PoolingPlanner {
   double steps() const;
   double most_cost() const;
   bool is_of_time() const;
+  bool has_all_samples_before() const;
+  ChainSettings settings_of_chains(const Pilot& pilot, double samples_per_step) const;
+  double seed_share(const Pilot& pilot, const Pooling& pooling) const;
+  double seed_share_in_the_dark(const Pilot& pilot) const;
   PoolingPlan plan(const Pilot& pilot, const Pooling& pooling) const;
   Pooling with_seed_share(Pilot pilot, double share) const;
   std::uint64_t seeds_for(const Pilot& pilot) const;
 
   const Run& run_;
   const ChainSettings& settings_;
-  std::size_t bins_;
+  PlannedFilm film_;
 };
 
 }  // namespace wander

@@ -36,10 +36,13 @@ Pace pace_of(const Plan& plan, std::size_t contender, Course& course) {
     if (run.samples == 0) return {};
     const auto seeds = static_cast<double>(seed_samples_of(run));
     const double of_seeds = seeds > 0 ? run.seed_seconds : 0;
+    const auto fewest = static_cast<double>(chains.fewest_seeds);
+    const double share =
+        seeds > fewest ? seeds / static_cast<double>(run.samples) : ChainSettings::usual_seed_share;
     return {.of_sample = (run.seconds - of_seeds) / static_cast<double>(run.samples),
             .of_seed = seeds > 0 ? of_seeds / seeds : 0,
-            .seed_share = chains.seed_share.value_or(ChainSettings::usual_seed_share),
-            .fewest_seeds = static_cast<double>(chains.fewest_seeds)};
+            .seed_share = chains.seed_share.value_or(share),
+            .fewest_seeds = fewest};
   } catch (const NoLightFound&) {
     return {};
   }

@@ -25,6 +25,22 @@ struct RareLight {
   static constexpr std::uint64_t steps_per_chain = 1 << 14;
 };
 
+// Of a pooled film that is an image.  A chain that is caught shows as a bright pixel, the fainter the more chains
+// there are; and that they have few steps to forget where they began costs little, for they begin as all samples of
+// the run say (docs/pooled-film.md).  Where these are more than the steps what is left to chains is rare light, and
+// one of few would be brighter than what a sample finds.
+struct ChainsOfImage {
+  int chains_per_group;
+  std::uint64_t steps_per_chain;
+};
+inline constexpr ChainsOfImage chains_of_image{16, 1 << 10}, chains_of_few_steps{64, 1 << 7};
+// Paths of more vertices take more memory, and there are fewer of them: so many in a group.
+constexpr int chains_in_memory(int chains_per_group, int max_vertices) {
+  constexpr int vertices = 32, fewest = 4;
+  return std::max(std::min(chains_per_group, fewest),
+                  chains_per_group * vertices / std::max(max_vertices, vertices));
+}
+
 struct ChainSettings {
   int groups = 64;  // independent: their spread is the error bar
   int chains_per_group = 4;

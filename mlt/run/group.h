@@ -82,7 +82,10 @@ class ChainGroup {
     expect_states();
     turns_ = source_.turns();
     members_.resize(static_cast<std::size_t>(chains()));
-    if (Chains::has_comparable_chains) draws_.resize(static_cast<std::size_t>(chains()));
+    if (!Chains::has_comparable_chains) return;
+    draws_.reserve(members_.size());
+    for (std::size_t k = 0; k < members_.size(); ++k)
+      draws_.emplace_back(ThinnedDraws::capacity_of(members_.size()));
   }
 
   void advance(std::uint64_t steps) {

@@ -20,8 +20,8 @@ constexpr double as_good = 1.02;      // of fewer samples, and more steps for wh
 // that was seen.
 constexpr double about_as_good = 1.25, worth_a_risk = 2.5;
 constexpr double hardly_any_light = 1. / 1024;
-constexpr std::array<double, 3> ends{0x1p6, 0x1p9, 0x1p12};  // over b, of an image
-constexpr double narrowest_band = 16;                        // from a border to an end
+constexpr std::array<double, 3> ends{0x1p9, 0x1p12, 0x1p15};  // over b, of an image
+constexpr double narrowest_band = 16;                         // from a border to an end
 constexpr double smallest_border = 0x1p-2, largest_border = 0x1p18, border_of_all_light = 0x1p48,
                  largest_safe_border = 0x1p10;  // over b
 
@@ -53,7 +53,7 @@ class Variance {
     const double draws = border.steps_per_draw *
                          mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
     return of_samples(border) / samples_per_step + draws + border.unvisited * steps_per_chain_ +
-           of_seeds(side);
+           of_seeds(side, samples_per_step);
   }
   // E_π[w_M]: the share of light that is left to chains
   double of_chains(const Pilot::Border& border) const {
@@ -85,8 +85,8 @@ class Variance {
   }
 
   // k E_π[φ² l w_M²] / b
-  double of_seeds(Partition side) const {
-    return steps_per_seed_ * mean([&](double l) {
+  double of_seeds(Partition side, double samples_per_step) const {
+    return steps_per_seed_.value_or(1 / samples_per_step) * mean([&](double l) {
              return std::pow(where_it_began(l * b_), 2) * l * side.of_chains(l) * side.of_chains(l);
            });
   }
@@ -101,7 +101,8 @@ class Variance {
 
   LightByRatio light_;
   std::span<const Pilot::Border> borders_;
-  double bins_, b_, steps_per_chain_, steps_per_seed_;
+  double bins_, b_, steps_per_chain_;
+  std::optional<double> steps_per_seed_;
 };
 
 std::vector<Pilot::Border> borders_of(const Pilot& pilot) {
@@ -188,13 +189,24 @@ Choice of_least_risk_without_end(std::span<const Choice> choices, double enough)
   return by_samples.pooling.partition.c >= enough ? by_samples : about_the_best(choices, enough);
 }
 
+// The one that leaves least beyond its end to samples, of those about as good as the best.
+Choice with_widest_end(std::span<const Choice> choices) {
+  const double work = about_as_good * best_of(choices).work;
+  std::vector<Choice> among(choices.begin(), choices.end());
+  std::erase_if(among, [=](const Choice& one) { return one.work > work; });
+  return *std::ranges::min_element(
+      among, {}, [](const Choice& one) { return std::pair(-one.pooling.partition.end, one.work); });
+}
+
 Choice of_least_risk(std::span<const Choice> choices, double enough) {
   std::vector<Choice> with_end, without;
   for (const Choice& one : choices)
     (one.pooling.partition.has_end() ? with_end : without).push_back(one);
   const Choice safe = of_least_risk_without_end(without, enough);
-  if (with_end.empty() || about_as_good * best_of(with_end).work > safe.work) return safe;
-  return best_of(with_end);
+  if (with_end.empty()) return safe;
+  const bool is_left_to_samples = safe.pooling.partition.c >= enough;
+  const double worth = is_left_to_samples ? about_as_good : 1 / worth_a_risk;
+  return worth * best_of(with_end).work > safe.work ? safe : with_widest_end(with_end);
 }
 
 // By a rule, if there is anything to choose.

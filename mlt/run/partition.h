@@ -78,7 +78,8 @@ struct Pilot {
   std::vector<RatioHistogram> chains{};
   double steps_per_chain = 0;
   double rays_per_step = wander::rays_per_step;
-  double steps_per_seed = 0;  // of the run: its steps for each sample of its seed pass
+  // Of the run, its steps for each sample of its seed pass.  None: all samples are of it, one for each 1/ρ steps.
+  std::optional<double> steps_per_seed = 0;
   // With a border, how many steps tell as much as one independent draw: of where the chains' part of the
   // light lies on the film; and of how large it is in all, which unknown moves b.
   struct Border {
@@ -140,7 +141,9 @@ Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost = us
 // the largest before it, from 2¹⁰ b, with which it takes no more.  If there is none it is the best pooling.
 //
 // All this is said of borders without an end, beyond which chains may be caught.  With an end chains have next to nothing
-// of what catches them, and keep what they promise: the best of these is taken if it takes a quarter less work.
+// of what catches them, and keep what they promise: if the best of these takes a quarter less work than what leaves all that
+// was seen to samples, or no more than two and a half times the work of what does not, then of all with an end and no more
+// than a quarter above the best that with the widest is taken, whose samples have the fewest fireflies.
 Pooling cautious_pooling(const Pilot& pilot, std::size_t bins, double most_cost = usual_most_cost);
 
 // What samples alone decide: with chains of which one step in sixteen told as much as a draw, nothing would take a

@@ -209,9 +209,11 @@ std::vector<std::string> warnings(const Evidence& evidence) {
   } else if (evidence.seeds.effective_samples() < static_cast<double>(evidence.all_chains)) {
     all.push_back(few_seeds(evidence.seeds, evidence.all_chains));
   }
-  const std::string disagreement = disagreeing_groups(evidence);
-  // Groups that disagree are of chains that are short, and a worse matter.
-  all.push_back(disagreement.empty() ? slow_mixing(evidence) : disagreement);
+  if (evidence.light_of_chains >= least_light_of_chains) {
+    const std::string disagreement = disagreeing_groups(evidence);
+    // Groups that disagree are of chains that are short, and a worse matter.
+    all.push_back(disagreement.empty() ? slow_mixing(evidence) : disagreement);
+  }
   all.push_back(few_groups(evidence.statistics, evidence.all_groups));
   std::erase_if(all, [](const std::string& warning) { return warning.empty(); });
   return all;

@@ -21,7 +21,12 @@ struct Evidence {
   // Also those of which there are no draws that could be compared.
   std::size_t all_chains = draws.chains();
   std::size_t all_groups = draws.chains() / chains_per_group;
+  double light_of_chains = 1;  // the share of the film that is theirs, if it is pooled
 };
+
+// How well chains mix tells nothing of a film of which they have less than this; what they spoil of it still shows in
+// its error (dominated_film).
+inline constexpr double least_light_of_chains = 0.05;
 
 std::vector<std::string> warnings(const Evidence& evidence);
 

@@ -5,6 +5,7 @@
 // n a power of two, whatever the number of steps.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <string_view>
@@ -40,8 +41,13 @@ inline Functionals functionals(const Features& state, double log_target) {
 class ThinnedDraws {
  public:
   static constexpr std::size_t capacity = 256;
+  // Of each of so many chains of a group: of many a few draws tell as much as many of a few.
+  static std::size_t capacity_of(std::size_t chains) {
+    constexpr std::size_t fewest = 16, of_all = 2048;
+    return std::bit_floor(std::clamp(of_all / std::max<std::size_t>(chains, 1), fewest, capacity));
+  }
 
-  ThinnedDraws() { draws_.reserve(capacity); }
+  explicit ThinnedDraws(std::size_t most = capacity) : most_(most) { draws_.reserve(most); }
 
   // Once after every step; make() gives the functionals of the state, if they are to be kept.
   template <class Make>
@@ -60,12 +66,13 @@ class ThinnedDraws {
  private:
   void keep(const Functionals& draw) {
     draws_.push_back(draw);
-    if (draws_.size() < capacity) return;
-    for (std::size_t i = 0; i < capacity / 2; ++i) draws_[i] = draws_[2 * i];
-    draws_.resize(capacity / 2);
+    if (draws_.size() < most_) return;
+    for (std::size_t i = 0; i < most_ / 2; ++i) draws_[i] = draws_[2 * i];
+    draws_.resize(most_ / 2);
     stride_ *= 2;
   }
 
+  std::size_t most_;  // a power of two
   std::vector<Functionals> draws_;
   std::uint64_t steps_ = 0, stride_ = 1;
 };

@@ -29,10 +29,15 @@ Session session_of(const Budget& budget) {
   return session;
 }
 
-PoolingPlan plan(const Pilot& pilot, const Budget& budget, const ChainSettings& settings = usual) {
+PoolingPlan plan(const Pilot& pilot, const Budget& budget, const ChainSettings& settings = usual,
+                 FilmKind film = FilmKind::curve, int max_vertices = 10) {
   const Session session = session_of(budget);
   const Run run(session);
-  return PoolingPlanner(run, settings, bins).by_chains(pilot);
+  return PoolingPlanner(run, settings, {film, bins, max_vertices}).by_chains(pilot);
+}
+PoolingPlan plan_of_image(const Pilot& pilot, const Budget& budget,
+                          const ChainSettings& settings = usual, int max_vertices = 10) {
+  return plan(pilot, budget, settings, FilmKind::image, max_vertices);
 }
 int chains(const PoolingPlan& plan, std::uint64_t steps) {
   return plan.settings.groups * plan.settings.chains_for(steps);
@@ -81,6 +86,106 @@ TEST(PoolingPlan, AsksMuchOfChains) {
     if (c != best_pooling(pilot, bins).partition.c) ++otherwise;
   }
   EXPECT_GE(otherwise, 1);
+}
+
+// So much of its light is hard, and chains that hardly move know of that what their seeds do.
+Pilot of_hard_light(int percent) {
+  Pilot pilot{.samples = 10'000, .rays = 25'000, .steps_per_chain = 1000};
+  for (int i = 0; i < 9000; ++i) pilot.found.add(1);
+  pilot.chains.resize(1);
+  for (int i = 0; i < 1000; ++i) pilot.chains[0].add(i % 100 < percent ? 1e5 : 1);
+  for (const double c : borders_around(pilot.b()))
+    pilot.borders.push_back({.c = c, .steps_per_draw = 500, .steps_per_draw_of_total = 500});
+  return pilot;
+}
+
+// Chains that know its light at once.
+Pilot of_quick_chains() {
+  Pilot pilot{.samples = 10'000, .rays = 25'000, .steps_per_chain = 1e6};
+  for (int i = 0; i < 5000; ++i) pilot.found.add(1);
+  for (int i = 0; i < 80; ++i) pilot.found.add(400);
+  for (const double c : borders_around(pilot.b()))
+    pilot.borders.push_back({.c = c, .steps_per_draw = 1, .steps_per_draw_of_total = 1});
+  return pilot;
+}
+
+TEST(PoolingPlan, OfAnImageHasAllSamplesBeforeItsChains) {
+  int otherwise = 0;
+  for (const int percent : {1, 10, 50})
+    for (const Budget& budget : {Budget{SampleBudget{10'000'000}}, Budget{TimeBudget{10}}}) {
+      const Pilot pilot = of_hard_light(percent);
+      Pilot with_all = pilot;
+      with_all.steps_per_seed.reset();
+      const bool is_of_time = std::holds_alternative<TimeBudget>(budget);
+      const Pooling expected =
+          cautious_pooling(with_all, bins, is_of_time ? usual_most_cost : most_cost_of_given_steps);
+      const PoolingPlan made = plan_of_image(pilot, budget), of_curve = plan(pilot, budget);
+      EXPECT_EQ(made.pooling.partition.c, expected.partition.c) << percent;
+      EXPECT_EQ(made.pooling.samples_per_step, expected.samples_per_step) << percent;
+      EXPECT_DOUBLE_EQ(made.seed_share,
+                       expected.samples_per_step * (is_of_time ? expected.cost_of_sample : 1));
+      EXPECT_EQ(of_curve.seed_share, 0);
+      if (made.pooling.partition.c != of_curve.pooling.partition.c) ++otherwise;
+    }
+  EXPECT_GE(otherwise, 1) << "chains of few seeds know less";
+  EXPECT_EQ(plan_of_image(of_hard_light(50), ErrorBudget{0.01}).seed_share, 0)
+      << "who knows how many";
+}
+
+TEST(PoolingPlan, OfAnImageHasManyChains) {
+  const auto most = [](const ChainsOfImage& many) { return 64 * many.chains_per_group; };
+  EXPECT_EQ(chains(plan_of_image(rare, SampleBudget{10'000'000}), 10'000'000),
+            most(chains_of_image));
+  EXPECT_EQ(chains(plan_of_image(rare, SampleBudget{100'000}), 100'000), 64);
+  int few = 0, many = 0;
+  for (const Pilot& pilot : {of_hard_light(0), of_hard_light(50), of_quick_chains()}) {
+    const PoolingPlan made = plan_of_image(pilot, TimeBudget{10});
+    const bool has_more_samples = made.pooling.samples_per_step >= 1;
+    EXPECT_EQ(chains(made, 10'000'000),
+              most(has_more_samples ? chains_of_few_steps : chains_of_image));
+    ++(has_more_samples ? many : few);
+  }
+  EXPECT_GE(many, 1);
+  EXPECT_GE(few, 1);
+  ChainSettings given = usual;
+  given.chains_per_group = 3;
+  given.steps_per_chain = 0;
+  EXPECT_EQ(chains(plan_of_image(telling, SampleBudget{10'000'000}, given), 10'000'000), 64 * 3);
+}
+
+TEST(PoolingPlan, HasFewerChainsOfLongPaths) {
+  const auto of_vertices = [](int max_vertices) {
+    return chains(plan_of_image(rare, SampleBudget{10'000'000}, usual, max_vertices), 10'000'000);
+  };
+  EXPECT_EQ(of_vertices(64), of_vertices(32) / 2);
+  EXPECT_EQ(of_vertices(1000), 64 * usual.chains_per_group);
+}
+
+// What few samples have not seen may be as bright as a pixel is.
+TEST(PoolingPlan, OfAnImageAlwaysAsksChains) {
+  Pilot easy{.samples = 10'000, .rays = 25'000};
+  for (int i = 0; i < 5000; ++i) easy.found.add(1);
+  const auto decides = [&](FilmKind film) {
+    const Session session = session_of(TimeBudget{10});
+    const wander::Run run(session);
+    return PoolingPlanner(run, usual, {film, bins, 10}).by_samples(easy).has_value();
+  };
+  EXPECT_TRUE(decides(FilmKind::curve));
+  EXPECT_FALSE(decides(FilmKind::image));
+}
+
+// Where hardly any light was found an image has the border of the samples that it will have.
+TEST(PoolingPlan, OfAnImageInTheDarkKnowsOfItsLongSeedPass) {
+  ChainSettings asked = usual;
+  asked.seed_share = RareLight::seed_share_of_time;
+  const PoolingPlan made = plan_of_image(rare, TimeBudget{10}),
+                    by_hand = plan_of_image(rare, TimeBudget{10}, asked);
+  EXPECT_EQ(made.seed_share, RareLight::seed_share_of_time);
+  EXPECT_EQ(made.pooling.partition.c, by_hand.pooling.partition.c);
+  EXPECT_GT(made.pooling.partition.c, plan(rare, TimeBudget{10}).pooling.partition.c);
+  EXPECT_EQ(plan_of_image(rare, ErrorBudget{0.01}).pooling.samples_per_step,
+            fewest_samples_per_step)
+      << "or the error of the samples' part would stay";
 }
 
 struct OfRareLight {

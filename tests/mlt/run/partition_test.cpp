@@ -210,6 +210,58 @@ TEST(Pooling, HasAnEndWhereThatTakesAQuarterLessWork) {
   EXPECT_GE(nearly, 1) << "no case shows the quarter";
 }
 
+// Without an end chains may be caught, and keep only a part of what they promise: two and a half times as much they must.
+TEST(Pooling, LeavesMuchToChainsWithoutAnEndWhereThatPromisesAMultiple) {
+  int with_end = 0, nearly = 0, without_end = 0;
+  for (double steps = 1; steps <= 4096; steps *= 1.25) {
+    Pilot pilot = pilot_of({{1, 5000}, {400, 80}});
+    for (const double c : borders_around(pilot.b()))
+      pilot.borders.push_back({.c = c, .steps_per_draw = 4, .steps_per_draw_of_total = 4});
+    const Pooling without = cautious_pooling(pilot, bins);
+    ASSERT_LT(without.partition.c, 1024 * pilot.b());
+    const Partition side{pilot.b() / 4, 512 * pilot.b()};
+    pilot.borders.push_back({side.c, side.end, steps, steps});
+    double least = INFINITY;
+    for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2)
+      least = std::min(least, work(pilot, {side, rho}));
+    const bool expected = least <= 2.5 * work(pilot, without);
+    EXPECT_EQ(cautious_pooling(pilot, bins).partition.has_end(), expected) << steps;
+    ++(expected ? with_end : without_end);
+    if (expected && least > work(pilot, without)) ++nearly;
+  }
+  EXPECT_GE(with_end, 1);
+  EXPECT_GE(nearly, 1) << "no case shows the multiple";
+  EXPECT_GE(without_end, 1);
+}
+
+// Where a wider end takes hardly more work, samples have fewer fireflies.
+TEST(Pooling, HasTheWidestEndThatIsAboutAsGood) {
+  int wide = 0, nearly = 0, narrow = 0;
+  for (double steps = 4; steps <= 64; steps *= 1.125) {
+    Pilot pilot = pilot_of({{1, 5000}, {400, 80}});
+    const double b = pilot.b();
+    for (const double c : borders_around(b))
+      pilot.borders.push_back({.c = c, .steps_per_draw = 4096, .steps_per_draw_of_total = 4096});
+    const Partition near{b / 4, 512 * b}, far{b / 4, 32'768 * b};
+    pilot.borders.push_back({near.c, near.end, 4, 4});
+    pilot.borders.push_back({far.c, far.end, steps, steps});
+    const auto least = [&](Partition side) {
+      double work_of_side = INFINITY;
+      for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2)
+        work_of_side = std::min(work_of_side, work(pilot, {side, rho}));
+      return work_of_side;
+    };
+    const bool expected = least(far) <= 1.25 * std::min(least(near), least(far));
+    const Partition chosen = cautious_pooling(pilot, bins).partition;
+    EXPECT_EQ(chosen.end, expected ? far.end : near.end) << steps;
+    ++(expected ? wide : narrow);
+    if (expected && least(far) > least(near)) ++nearly;
+  }
+  EXPECT_GE(wide, 1);
+  EXPECT_GE(nearly, 1) << "no case shows the quarter";
+  EXPECT_GE(narrow, 1);
+}
+
 // Where the best leaves next to nothing to chains, what leaves less still is taken if it is not much dearer.
 TEST(Pooling, LeavesHardlyAnyLightToChainsThatHardlyKnowIt) {
   int further = 0;
@@ -384,6 +436,24 @@ TEST(Pooling, LeavesToChainsWhatTheyKnowBetterThanTheirSeeds) {
   EXPECT_LE(samples_per_step(1, 30), 2) << "they move";
   EXPECT_LE(samples_per_step(1000, 0.01), 2) << "the seed pass is long";
   EXPECT_EQ(samples_per_step(1000, 30), most_samples_per_step);
+}
+
+// Where all samples are seeds there is one for each 1/ρ steps.
+TEST(Pooling, KnowsTheSeedsOfAllSamples) {
+  for (double rho = fewest_samples_per_step; rho <= most_samples_per_step; rho *= 2) {
+    Pilot all = pilot_of({{1, 10'000}});
+    all.chains.resize(1);
+    for (int i = 0; i < 1000; ++i) all.chains[0].add(i % 10 == 0 ? 1e5 : 1);
+    all.steps_per_chain = 1000;
+    for (const double c : borders_around(all.b()))
+      all.borders.push_back({.c = c, .steps_per_draw = 300, .steps_per_draw_of_total = 300});
+    Pilot as_many = all, few = all;
+    all.steps_per_seed.reset();
+    as_many.steps_per_seed = 1 / rho;
+    few.steps_per_seed = 1000 / rho;
+    EXPECT_EQ(pooling(all, rho, bins).partition.c, pooling(as_many, rho, bins).partition.c) << rho;
+    EXPECT_LT(pooling(all, rho, bins).partition.c, pooling(few, rho, bins).partition.c) << rho;
+  }
 }
 
 TEST(StepsPerDraw, AreTheSharesOfVarianceOfLongChainsAndMoreOfShortOnes) {

@@ -155,7 +155,8 @@ class Warnings : public ::testing::Test {
     for (int i = 0; i < steps; ++i) group.observe(seen, runs);
   }
   // Chains whose position on the sensor is this, and whose log f may change, too.
-  std::vector<std::string> warnings_of(const Draws& film, const Draws& log_f = {}) {
+  std::vector<std::string> warnings_of(const Draws& film, const Draws& log_f = {},
+                                       double light_of_chains = 1) {
     std::vector<ThinnedDraws> chains(film.chains);
     ChainDraws draws;
     for (std::size_t c = 0; c < film.chains; ++c) {
@@ -167,7 +168,12 @@ class Warnings : public ::testing::Test {
     }
     MutationStatistics statistics = none_;
     for (const MutationStatistics& group : groups_) statistics.merge(group);
-    return warnings({seeds_, draws, diagnostics(draws), statistics, chains_per_group});
+    return warnings({.seeds = seeds_,
+                     .draws = draws,
+                     .chains = diagnostics(draws),
+                     .statistics = statistics,
+                     .chains_per_group = chains_per_group,
+                     .light_of_chains = light_of_chains});
   }
 
   static constexpr std::array<std::string_view, 1> names_{"only"};
@@ -178,6 +184,14 @@ class Warnings : public ::testing::Test {
 
 TEST_F(Warnings, AreNoneOfARunThatMixes) {
   EXPECT_EQ(warnings_of(draws_of({}, 1)), std::vector<std::string>{});
+}
+
+// How chains mix matters as far as the film is theirs.
+TEST_F(Warnings, OfMixingAreOfFilmsThatChainsHaveAPartIn) {
+  for (const Draws& draws : {draws_of({.group_offset = 0.5}, 1), draws_of({.phi = 0.99}, 1)}) {
+    EXPECT_EQ(warnings_of(draws, {}, least_light_of_chains).size(), 1u);
+    EXPECT_EQ(warnings_of(draws, {}, 0.9 * least_light_of_chains), std::vector<std::string>{});
+  }
 }
 
 TEST_F(Warnings, SayThatASeedPassRestsOnFewSamples) {

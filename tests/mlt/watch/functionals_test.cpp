@@ -9,8 +9,9 @@ namespace wander::test {
 namespace {
 
 // The chain whose state after step i is i (+ chain / 4 in other functionals).
-ThinnedDraws counted(std::uint64_t steps, double offset) {
-  ThinnedDraws draws;
+ThinnedDraws counted(std::uint64_t steps, double offset,
+                     std::size_t most = ThinnedDraws::capacity) {
+  ThinnedDraws draws(most);
   for (std::uint64_t i = 0; i < steps; ++i)
     draws.offer([&] {
       const auto x = static_cast<double>(i);
@@ -21,13 +22,22 @@ ThinnedDraws counted(std::uint64_t steps, double offset) {
 
 TEST(ThinnedDraws, AreStatesAtEqualDistances) {
   for (const std::uint64_t steps : {0u, 1u, 255u, 256u, 257u, 1024u, 5000u, 100'000u}) {
-    const ThinnedDraws draws = counted(steps, 0);
-    EXPECT_LT(draws.size(), ThinnedDraws::capacity);
-    EXPECT_TRUE(draws.stride() == 1 || draws.size() >= ThinnedDraws::capacity / 2);
-    EXPECT_EQ(draws.size(), (steps + draws.stride() - 1) / draws.stride());
-    for (std::size_t i = 0; i < draws.size(); ++i)
-      EXPECT_EQ(draws[i][0], static_cast<double>(i * draws.stride()));
+    for (const std::size_t most : {ThinnedDraws::capacity, std::size_t{64}}) {
+      const ThinnedDraws draws = counted(steps, 0, most);
+      EXPECT_LT(draws.size(), most);
+      EXPECT_TRUE(draws.stride() == 1 || draws.size() >= most / 2);
+      EXPECT_EQ(draws.size(), (steps + draws.stride() - 1) / draws.stride());
+      for (std::size_t i = 0; i < draws.size(); ++i)
+        EXPECT_EQ(draws[i][0], static_cast<double>(i * draws.stride()));
+    }
   }
+}
+
+TEST(ThinnedDraws, AreFewerOfEachOfManyChains) {
+  EXPECT_EQ(ThinnedDraws::capacity_of(1), ThinnedDraws::capacity);
+  EXPECT_EQ(ThinnedDraws::capacity_of(8), ThinnedDraws::capacity);
+  EXPECT_EQ(ThinnedDraws::capacity_of(40), 32u) << "a power of two";
+  EXPECT_EQ(ThinnedDraws::capacity_of(1 << 10), 16u);
 }
 
 TEST(ChainDraws, OfChainsThatDifferInLengthHaveOneStrideAndOneLength) {
