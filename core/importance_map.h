@@ -18,13 +18,16 @@ class ImportanceMap {
  public:
   // `factors`: of the cells.
   ImportanceMap(Raster raster, std::vector<double> factors)
-      : raster_(std::move(raster)), factors_(std::move(factors)) {}
+      : raster_(std::move(raster)), factors_(std::move(factors)) {
+    for (const double v : factors_) light_.push_back(1 / v);
+  }
 
   double operator()(int bin) const { return factors_[raster_.cell(bin)]; }
+  double light_of_measure(int bin) const { return light_[raster_.cell(bin)]; }  // 1/v
 
  private:
   Raster raster_;
-  std::vector<double> factors_;
+  std::vector<double> factors_, light_;
 };
 
 // How much light a measure of one on this bin shows, 1/v; in spaces that know no map it is one.

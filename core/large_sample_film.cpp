@@ -13,23 +13,24 @@ void SampleList::add(const Contributions& sample) {
   const std::size_t begin = bins_.size();
   for (const Contribution& c : sample) {
     techniques_.add(c.vertices, c.technique, c.value);
+    OfBin* const channels = channels_of_pixel(c.bin, begin);
     for (int k = 0; k < channels_; ++k) {
-      const int bin = c.bin * channels_ + k;
       const double value = c.value * c.tint[static_cast<std::size_t>(k)];
-      if (keeps_lengths_) lengths_.push_back({c.vertices, bin, value});
-      add(bin, value, begin);
+      if (keeps_lengths_) lengths_.push_back({c.vertices, channels[k].bin, value});
+      channels[k].value += value;
     }
   }
   ++samples_;
 }
 
-void SampleList::add(int bin, double value, std::size_t begin) {
-  const auto known = std::find_if(bins_.begin() + static_cast<std::ptrdiff_t>(begin), bins_.end(),
-                                  [&](const OfBin& b) { return b.bin == bin; });
-  if (known == bins_.end())
-    bins_.push_back({bin, value});
-  else
-    known->value += value;
+SampleList::OfBin* SampleList::channels_of_pixel(int pixel, std::size_t begin) {
+  const int first = pixel * channels_;
+  const auto step = static_cast<std::size_t>(channels_);
+  for (std::size_t k = begin; k < bins_.size(); k += step)
+    if (bins_[k].bin == first) return &bins_[k];
+  const std::size_t size = bins_.size();
+  for (int k = 0; k < channels_; ++k) bins_.push_back({first + k, 0});
+  return &bins_[size];
 }
 
 void SampleList::clear() {

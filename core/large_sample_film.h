@@ -49,8 +49,8 @@ class SampleList {
       archive(vertices, bin, value);
     }
   };
-  // To the sample that begins there among what was found.
-  void add(int bin, double value, std::size_t begin);
+  // Where the bins of a pixel are among what was found, of the sample that begins there.
+  OfBin* channels_of_pixel(int pixel, std::size_t begin);
 
   bool keeps_lengths_;
   int channels_;

@@ -2,7 +2,8 @@
 
 namespace wander {
 
-Raster::Raster(std::span<const int> film, std::size_t most_cells) : width_(film.back()) {
+Raster::Raster(std::span<const int> film, std::size_t most_cells)
+    : width_(film.back()), per_width_(1.0 / width_) {
   for (shift_ = 0;; ++shift_) {
     shape_.clear();
     cells_ = 1;

@@ -17,7 +17,7 @@ class Raster {
 
   std::size_t cell(int bin) const {
     if (shift_ == 0) return static_cast<std::size_t>(bin);
-    const int row = bin / width_, column = bin % width_;
+    const int row = static_cast<int>((bin + 0.5) * per_width_), column = bin - row * width_;
     return static_cast<std::size_t>((row >> shift_) * shape_.back() + (column >> shift_));
   }
   std::size_t cells() const { return cells_; }
@@ -25,8 +25,9 @@ class Raster {
   bool is_film() const { return shift_ == 0; }
 
  private:
-  int shift_ = 0;  // log2 of the edge of a block
-  int width_ = 1;  // of the film
+  int shift_ = 0;         // log2 of the edge of a block
+  int width_ = 1;         // of the film
+  double per_width_ = 1;  // half a bin is more than it is off by, for all of them
   std::size_t cells_;
   std::vector<int> shape_;
 };

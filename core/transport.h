@@ -51,7 +51,9 @@ class Transport {
   }
   Transport measuring(ImportanceMap&&) const = delete;
   // How much light a measure of one on this bin shows.
-  double light_of_measure(int bin) const { return importance_ ? 1 / (*importance_)(bin) : 1; }
+  double light_of_measure(int bin) const {
+    return importance_ ? importance_->light_of_measure(bin) : 1;
+  }
 
   template <class Random>
   void begin_light(Path<W>& x, int i, Random& random) const {

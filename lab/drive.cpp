@@ -127,8 +127,7 @@ class Drive {
     const std::uint64_t most =
         asked_for > 0 ? std::numeric_limits<std::uint64_t>::max() : run_.settings().fewest_seeds;
     const double end = seeds_begin_ + share / (1 + share) * (seconds - seeds_begin_);
-    constexpr std::uint64_t long_stride = 8;  // where no bits depend on it
-    Pace pace(execution_.spent(), end, long_stride * run_.seed_stride() * slices);
+    Pace pace(execution_.spent(), end, run_.seed_stride() * slices);
     std::uint64_t done = run_.seeds().samples;
     for (double now = execution_.spent(); done == 0 || (done < most && !pace.is_over(now));
          now = execution_.spent()) {

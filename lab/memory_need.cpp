@@ -38,6 +38,8 @@ struct Size {
     maps = 2 * moves * static_cast<double>(layout.maps_of(shape).cells());
   }
 
+  bool is_image() const { return pixels_of(shape).size() == 2; }
+
   std::vector<int> shape;
   int max_vertices;
   FilmLayout layout;
@@ -83,10 +85,10 @@ void need_of_pooling(MemoryNeed& need, const Size& size, double groups) {
 }
 
 // Of a pooled film the pilot may ask for more.
-int most_chains_of_group(const ChainSettings& settings, const Size& size, int dimension) {
+int most_chains_of_group(const ChainSettings& settings, const Size& size) {
   const bool is_as_asked = settings.film_parts == FilmParts::chains || settings.has_given_chains();
   if (is_as_asked) return settings.chains_per_group;
-  const int most = dimension == 3
+  const int most = size.is_image()
                        ? chains_in_memory(chains_of_few_steps.chains_per_group, size.max_vertices)
                        : RareLight::chains_per_group;
   return std::max(settings.chains_per_group, most);
@@ -115,8 +117,7 @@ void need_of_chains(MemoryNeed& need, const Size& size, const Job& job) {
   const double of_path = is_path_of_numbers ? (n + 1) / 2 * of_vertex_and_numbers + of_length
                                             : n * 2 * of_vertex_and_numbers;
   const bool is_sample = job.method().state == ChainState::numbers_of_sample;
-  const double of_each =
-      is_path_of_numbers ? n - 1 : most_chains_of_group(settings, size, job.scene().dimension);
+  const double of_each = is_path_of_numbers ? n - 1 : most_chains_of_group(settings, size);
   const std::size_t draws = ThinnedDraws::capacity_of(static_cast<std::size_t>(of_each));
   const double of_chain = static_cast<double>(draws * sizeof(Functionals)) + of_start + of_path +
                           (is_sample ? of_splat * std::min(n * n, 4096.0) : 0);

@@ -63,9 +63,12 @@ class ChainGroups {
 
   // The seed pass: so many more samples of each slice.
   void add_seeds(std::uint64_t count) {
-    if constexpr (Group<Chains>)
-      if (samples_) return add_seeds_in_turns(count);
-    on_all_threads([&](std::size_t g) { groups_[g]->add_seeds(count); });
+    for (std::uint64_t done = 0; done < count;) {
+      const std::uint64_t part = std::min(count - done, samples_ ? samples_per_turn : count);
+      on_all_threads([&](std::size_t g) { groups_[g]->add_seeds(part); });
+      if constexpr (Group<Chains>) gather_samples();
+      done += part;
+    }
   }
   std::uint64_t seed_stride() const {
     constexpr std::uint64_t usual = 256;
@@ -183,21 +186,6 @@ class ChainGroups {
       else
         group.share(film, factor);
     }
-  }
-
-  // What a slice keeps is large: it takes long turns.  But lists that wait are larger still: only as many slices as
-  // there are threads are in turn.  In the sums of the film the samples have the same order for any number of these.
-  void add_seeds_in_turns(std::uint64_t count) {
-    constexpr std::uint64_t turn = 2048;
-    for (std::uint64_t done = 0; done < count; done += turn)
-      for (int first = 0; first < static_cast<int>(groups_.size()); first += run_.threads()) {
-        const int some = std::min(run_.threads(), static_cast<int>(groups_.size()) - first);
-        run_parallel(run_, some, [&](int g) {
-          groups_[static_cast<std::size_t>(first + g)]->add_seeds(std::min(turn, count - done));
-        });
-        for (int g = first; g < first + some; ++g)
-          groups_[static_cast<std::size_t>(g)]->move_samples_to(*samples_);
-      }
   }
 
   // No more than samples have room for in their lists.

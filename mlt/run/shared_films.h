@@ -81,7 +81,7 @@ class SharedFilms {
   // As few as give error bars that are trusted (deposit.h); of an image of few pixels, one for each
   // group.
   static int films_of(std::span<const int> film, int groups, const FilmLayout& layout) {
-    return layout.raster(film).is_film() ? groups : std::min(groups, 16);
+    return layout.has_few_pixels(film) ? groups : std::min(groups, 16);
   }
   // The groups that share a film take turns of so many steps each, for otherwise a tile could take
   // any number of additions before it is flushed.

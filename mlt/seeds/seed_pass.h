@@ -73,7 +73,7 @@ class SeedSlice {
         seeds_(Rng(seed, Purpose::resample, static_cast<std::uint32_t>(group)), count),
         tally_(space.max_vertices()),
         of_seeds_(space.max_vertices()),
-        raster_(layout.raster(space.scene().resolution())),
+        raster_(layout.raster(space.scene().film_shape())),
         evidence_(Seeds::strata(space.max_vertices()), raster_.cells()),
         by_length_(tally_.sum.size()) {}
 

@@ -33,12 +33,46 @@ TEST(Raster, OfALargeFilmIsMadeOfBlocks) {
 }
 
 TEST(Raster, HasAtMostAsManyCellsAsAskedAndHalfOfThemWherePossible) {
+  constexpr std::size_t most = 1 << 14;
   for (const int bins : {16'384, 16'385, 1'000'000, 10'000'000}) {
-    const Raster raster = FilmLayout{}.raster(std::array{bins});
-    EXPECT_LE(raster.cells(), std::size_t{1} << 14);
-    EXPECT_GE(raster.cells(), std::size_t{1} << 13);
+    const Raster raster(std::array{bins}, most);
+    EXPECT_LE(raster.cells(), most);
+    EXPECT_GE(raster.cells(), most / 2);
     EXPECT_EQ(raster.cell(bins - 1), raster.cells() - 1);
   }
+}
+
+// The row of a bin comes from a product; at the ends of rows it must be that of the quotient, in films of any width,
+// up to the largest number that a bin can have.
+TEST(Raster, FindsTheRowOfEveryBin) {
+  const auto expect_cell = [](const Raster& raster, int width, int shift, std::int64_t bin) {
+    const auto row = static_cast<std::size_t>(bin / width) >> shift,
+               column = static_cast<std::size_t>(bin % width) >> shift;
+    ASSERT_EQ(raster.cell(static_cast<int>(bin)),
+              row * static_cast<std::size_t>(raster.shape().back()) + column)
+        << bin << " of a width of " << width;
+  };
+  for (const int width : {1, 2, 3, 7, 127, 1023, 4097, 46'340, 46'341}) {
+    const std::int64_t rows = 2'147'483'647 / width;
+    const Raster raster(std::array{static_cast<int>(rows), width}, 1 << 12);
+    int shift = 0;
+    while ((width - 1) >> shift >= raster.shape().back()) ++shift;
+    while ((rows - 1) >> shift >= raster.shape().front()) ++shift;
+    for (const std::int64_t first : {std::int64_t{0}, rows / 2, rows - 3000})
+      for (std::int64_t row = first; row < first + 3000; ++row)
+        for (const std::int64_t column : {0, width / 2, width - 1})
+          expect_cell(raster, width, shift, row * width + column);
+  }
+}
+
+TEST(FilmLayout, OfALargeFilmOrOneInColourAsksForFewCells) {
+  const FilmLayout usual;
+  EXPECT_EQ(usual.raster(std::array{128, 128}).cells(), 128u * 128u);
+  EXPECT_EQ(usual.raster(std::array{128, 129}).cells(), 16u * 17u);
+  EXPECT_EQ(usual.raster(std::array{128, 128, 3}).cells(), 32u * 32u);
+  EXPECT_FALSE(usual.has_few_pixels(std::array{128, 129}));
+  EXPECT_TRUE(usual.has_few_pixels(std::array{128, 128, 3}));
+  EXPECT_TRUE(usual.is_large(std::array{128, 128, 3}));
 }
 
 TEST(FilmLayout, KeepsByItselfWhatIsSmall) {
