@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/7";
+constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/8";
 
 class Refusal {
  public:

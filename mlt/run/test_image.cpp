@@ -1,30 +1,70 @@
 #include "mlt/run/test_image.h"
 
+#include <functional>
 #include <numeric>
 
 namespace wander {
 
-TestImage::TestImage(std::span<const int> resolution) : raster_(resolution, most_blocks) {}
+TestImage::TestImage(std::span<const int> resolution)
+    : raster_(resolution, most_cells), pixels_(raster_.cells()) {
+  const int bins = std::accumulate(resolution.begin(), resolution.end(), 1, std::multiplies{});
+  for (int bin = 0; bin < bins; ++bin) ++pixels_[raster_.cell(bin)];
+}
 
-std::vector<double> TestImage::light_of_blocks(std::uint64_t samples) const {
-  double light = 0;
-  for (const Found& path : found_) light += path.light;
-  const double most = brightest * light / static_cast<double>(samples);
-  std::vector<double> blocks(raster_.cells());
-  for (const Found& path : found_) blocks[path.cell] += path.light * most / (path.light + most);
-  return blocks;
+TestImage::Light TestImage::found(std::uint64_t samples) const {
+  double all = 0;
+  for (const Found& path : found_) all += path.light;
+  const double most = brightest * all / static_cast<double>(samples);
+  Light light{std::vector<double>(raster_.cells())};
+  double sum = 0, squares = 0;
+  for (const Found& path : found_) {
+    const double of_path = path.light * most / (path.light + most);
+    light.of_cells[path.cell] += of_path;
+    sum += of_path;
+    squares += of_path * of_path;
+  }
+  light.of_path = sum > 0 ? squares / sum : 0;
+  return light;
+}
+
+std::vector<double> TestImage::believed(const Light& found) const {
+  const std::size_t cells = raster_.cells();
+  const double all = std::accumulate(found.of_cells.begin(), found.of_cells.end(), 0.0),
+               pixels = std::accumulate(pixels_.begin(), pixels_.end(), 0.0),
+               prior = paths_of_prior * found.of_path;
+  std::vector<double> light(cells, all / pixels);
+  // Blocks of cells, from the largest.
+  std::vector<Raster> levels{Raster(raster_.shape(), cells)};
+  while (levels.back().cells() > 1) levels.emplace_back(raster_.shape(), levels.back().cells() - 1);
+  for (auto blocks = levels.rbegin(); blocks != levels.rend(); ++blocks) {
+    std::vector<double> sums(blocks->cells()), extents(blocks->cells());
+    for (std::size_t k = 0; k < cells; ++k) {
+      const std::size_t block = blocks->cell(static_cast<int>(k));
+      sums[block] += found.of_cells[k];
+      extents[block] += pixels_[k];
+    }
+    for (std::size_t k = 0; k < cells; ++k) {
+      const std::size_t block = blocks->cell(static_cast<int>(k));
+      const double of_parent = light[k] * extents[block];
+      light[k] = (sums[block] + prior) / (1 + prior / of_parent) / extents[block];
+    }
+  }
+  return light;
 }
 
 std::optional<ImportanceMap> TestImage::importance(std::uint64_t samples) const {
-  const std::vector<double> blocks = light_of_blocks(samples);
-  const double all = std::accumulate(blocks.begin(), blocks.end(), 0.0);
+  const Light light = found(samples);
+  const double all = std::accumulate(light.of_cells.begin(), light.of_cells.end(), 0.0);
   if (!(all > 0)) return std::nullopt;
-  const double mean = all / static_cast<double>(blocks.size());
+  const std::vector<double> image = believed(light);
+  double mean = 0;
+  for (std::size_t k = 0; k < image.size(); ++k) mean += pixels_[k] * image[k];
+  mean /= std::accumulate(pixels_.begin(), pixels_.end(), 0.0);
   std::vector<double> factors;
   double of_light = 0;  // E_π[v]
-  for (const double light : blocks) {
-    factors.push_back(1 / (light + darkest * mean));
-    of_light += light / all * factors.back();
+  for (std::size_t k = 0; k < image.size(); ++k) {
+    factors.push_back(1 / (image[k] + darkest * mean));
+    of_light += light.of_cells[k] / all * factors.back();
   }
   for (double& factor : factors) factor /= of_light;
   return ImportanceMap(raster_, std::move(factors));
