@@ -18,13 +18,12 @@ std::string chains_help() {
   return fmt::format(
       "chains of all {0} groups together, a multiple of {0} (default: {0}, and up to {1} where the "
       "budget gives each {2} mutations; of a pooled film where samples hardly find light, {3} and "
-      "{4}; of a pooled image, {5} and {6}, or {7} and {8} where it has more samples than "
-      "mutations); the "
+      "{4}; of a pooled image, {5} and {6}, or {7} where it has more samples than mutations); the "
       "fewer, the longer",
       usual.groups, usual.groups * usual.chains_per_group, usual.steps_per_chain,
       usual.groups * RareLight::chains_per_group, RareLight::steps_per_chain,
-      usual.groups * chains_of_image.chains_per_group, chains_of_image.steps_per_chain,
-      usual.groups * chains_of_few_steps.chains_per_group, chains_of_few_steps.steps_per_chain);
+      usual.groups * ChainsOfImage::chains_per_group, ChainsOfImage::steps_per_chain,
+      ChainsOfImage::steps_per_chain_of_rare_light);
 }
 std::string seed_share_help() {
   return fmt::format(
@@ -91,8 +90,7 @@ const std::vector<Dial>& dial_table() {
        [](Dials& dials, std::string_view text) { dials.chains.film_parts = parse_film(text); }},
       {DialId::target, "target", "RULE",
        "what chains of mlt come to on an image: even (default: all of it about as often, by a test "
-       "image) or light "
-       "(as often as it is bright; so in trace, and on a curve)",
+       "image) or light (as often as it is bright; so in trace, and on a curve)",
        [](Dials& dials, std::string_view text) { dials.chains.target = parse_target(text); }},
       {DialId::normalization, "normalization", "RULE",
        "where b comes from: bridge (default: bridge sampling of the seed pass and the chains), "

@@ -89,7 +89,7 @@ int most_chains_of_group(const ChainSettings& settings, const Size& size) {
   const bool is_as_asked = settings.film_parts == FilmParts::chains || settings.has_given_chains();
   if (is_as_asked) return settings.chains_per_group;
   const int most = size.is_image()
-                       ? chains_in_memory(chains_of_few_steps.chains_per_group, size.max_vertices)
+                       ? chains_in_memory(ChainsOfImage::chains_per_group, size.max_vertices)
                        : RareLight::chains_per_group;
   return std::max(settings.chains_per_group, most);
 }

@@ -57,9 +57,10 @@ ChainSettings PoolingPlanner::settings_of_chains(const Pilot& pilot,
   ChainSettings settings = settings_;
   if (settings_.has_given_chains()) return settings;
   if (film_.kind == FilmKind::image) {
-    const ChainsOfImage& many = samples_per_step < 1 ? chains_of_image : chains_of_few_steps;
-    settings.chains_per_group = chains_in_memory(many.chains_per_group, film_.max_vertices);
-    settings.steps_per_chain = many.steps_per_chain;
+    using Many = ChainsOfImage;
+    settings.chains_per_group = chains_in_memory(Many::chains_per_group, film_.max_vertices);
+    settings.steps_per_chain =
+        samples_per_step < 1 ? Many::steps_per_chain : Many::steps_per_chain_of_rare_light;
   } else if (finds_rare_light(pilot)) {
     settings.chains_per_group = RareLight::chains_per_group;
     settings.steps_per_chain = RareLight::steps_per_chain;

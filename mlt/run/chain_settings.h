@@ -27,13 +27,14 @@ struct RareLight {
 
 // Of a pooled film that is an image.  A chain that is caught shows as a bright pixel, the fainter the more chains
 // there are; and that they have few steps to forget where they began costs little, for they begin as all samples of
-// the run say (docs/pooled-film.md).  Where these are more than the steps what is left to chains is rare light, and
-// one of few would be brighter than what a sample finds.
+// the run say (docs/pooled-film.md).
 struct ChainsOfImage {
-  int chains_per_group;
-  std::uint64_t steps_per_chain;
+  static constexpr int chains_per_group = 64;
+  static constexpr std::uint64_t steps_per_chain = 1 << 10;
+  // Where samples are more than the steps what is left to chains is rare light, and one of few would be brighter than what
+  // a sample finds.
+  static constexpr std::uint64_t steps_per_chain_of_rare_light = 1 << 7;
 };
-inline constexpr ChainsOfImage chains_of_image{16, 1 << 10}, chains_of_few_steps{64, 1 << 7};
 // Paths of more vertices take more memory, and there are fewer of them: so many in a group.
 constexpr int chains_in_memory(int chains_per_group, int max_vertices) {
   constexpr int vertices = 32, fewest = 4;

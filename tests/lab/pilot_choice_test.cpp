@@ -32,11 +32,11 @@ TEST(ChoicesInSpace, LeaveAnOpenBoxToSamples) {
             most_cost_of_given_steps);
 }
 
-// All light comes through a slit that no connection finds.  With eight seeds samples carried 0.59 to 0.88
-// of it, that of bright parts most of all, and there were one to four times the fewest.
+// All light comes through a slit that no connection finds.  With eight seeds samples carried 0.17 to 0.48
+// of it, that of bright parts most of all, and there were as few as may be.
 TEST(ChoicesInSpace, LeaveASlitToChains) {
   const PoolingRecord pooling = choice("slit-3d");
-  EXPECT_LT(pooling.light_of_samples, 0.95);
+  EXPECT_LT(pooling.light_of_samples, 0.75);
   EXPECT_LE(pooling.how.samples_per_step, 4 * fewest_samples_per_step);
 }
 
