@@ -1,13 +1,13 @@
 // How a film is kept in memory while samples or chains fill it: the one place that says which films
 // are large.
 //
-//                        up to `most_small` bins          large, or in colour
+//                        up to `most_small` bins          large, or in colour (of few pixels, (*) by itself)
 //   pixels of chains     one film for each group          few, shared by groups (shared_films.h)
 //   pixels of samples    a film for each unit under way   lists of what units found
 //   what normalization
 //     needs per place    the film itself                  a raster of at most `most_cells`
-//   acceptance maps      the film itself                  if asked for, a raster of at most `most_small`
-//   films by length      up to 2^24 numbers               if asked for
+//   acceptance maps      the film itself                  if asked for (*), a raster of at most `most_small`
+//   films by length      up to 2^24 numbers               if asked for (*)
 #pragma once
 
 #include <algorithm>

@@ -131,7 +131,8 @@ class Drive {
     std::uint64_t done = run_.seeds().samples;
     for (double now = execution_.spent(); done == 0 || (done < most && !pace.is_over(now));
          now = execution_.spent()) {
-      const std::uint64_t count = std::min(pace.next(now, done), most - done) / slices + 1;
+      const std::uint64_t count =
+          std::max<std::uint64_t>(std::min(pace.next(now, done), most - done) / slices, 1);
       run_.seed(count);
       done += count * slices;
       report(now / seconds, done, "seed pass");

@@ -33,7 +33,8 @@ class MutationMaps {
  public:
   explicit MutationMaps(const FilmEstimate& film)
       : shape_(film.shape),
-        raster_(std::make_shared<Raster>(FilmLayout{}.raster(pixels_of(film.shape)))) {}
+        raster_(std::make_shared<Raster>(
+            FilmLayout{.maps = Keep::always}.maps_of(pixels_of(film.shape)))) {}
 
   // What is known of a cell, at each of its pixels.
   FilmLayer rates(std::string name, const std::vector<double>& map) const {

@@ -6,7 +6,7 @@
 //   chains, chains.standard_error               if it is pooled: of the chains alone
 //   samples                                     if it is pooled: what of the value samples carry
 //   acceptance.MUTATION, proposed.MUTATION      Markov chain methods; of a large film, if at all,
-//                                               from the cells of its raster (core/film_layout.h)
+//                                               from the cells of those maps (core/film_layout.h)
 #pragma once
 
 #include <functional>

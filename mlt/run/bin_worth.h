@@ -4,7 +4,7 @@
 //   of an image  a_j ∝ 1 / (I + ε Ī): it is looked at, and an error shows beside the light that is there,
 //                about as δ√I does.  On an even scale the highlights alone would decide.  I is that of
 //                the test image that the samples are (test_image.h).  Where what is measured is f v, already
-//                by such a factor, I is the measure of a block, and there is little left to even.
+//                by such a factor, I is the measure of a cell, and there is little left to even.
 // The scale is such that E_π[a] is about 1.
 #pragma once
 

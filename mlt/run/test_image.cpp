@@ -1,24 +1,40 @@
 #include "mlt/run/test_image.h"
 
-#include <functional>
+#include <algorithm>
 #include <numeric>
 
 namespace wander {
 
-TestImage::TestImage(std::span<const int> resolution)
-    : raster_(resolution, most_cells), pixels_(raster_.cells()) {
-  const int bins = std::accumulate(resolution.begin(), resolution.end(), 1, std::multiplies{});
-  for (int bin = 0; bin < bins; ++bin) ++pixels_[raster_.cell(bin)];
+namespace {
+
+// Of each cell of a raster over a film, the last of which in a row or a column may have fewer.
+std::vector<double> pixels_of_cells(std::span<const int> film, const std::vector<int>& raster) {
+  std::vector<double> pixels{1};
+  for (std::size_t axis = 0; axis < film.size(); ++axis) {
+    int edge = 1;
+    while ((film[axis] - 1) / edge >= raster[axis]) edge *= 2;
+    std::vector<double> rows;
+    for (const double of_row : pixels)
+      for (int k = 0; k < raster[axis]; ++k)
+        rows.push_back(of_row * std::min(edge, film[axis] - k * edge));
+    pixels = std::move(rows);
+  }
+  return pixels;
 }
+
+}  // namespace
+
+TestImage::TestImage(std::span<const int> resolution)
+    : raster_(resolution, most_cells), pixels_(pixels_of_cells(resolution, raster_.shape())) {}
 
 TestImage::Light TestImage::found(std::uint64_t samples) const {
   double all = 0;
   for (const Found& path : found_) all += path.light;
-  const double most = brightest * all / static_cast<double>(samples);
+  const double of_sample = all / static_cast<double>(samples);
   Light light{std::vector<double>(raster_.cells())};
   double sum = 0, squares = 0;
   for (const Found& path : found_) {
-    const double of_path = path.light * most / (path.light + most);
+    const double ratio = path.light / of_sample, of_path = ratio * brightest / (ratio + brightest);
     light.of_cells[path.cell] += of_path;
     sum += of_path;
     squares += of_path * of_path;

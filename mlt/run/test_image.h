@@ -48,10 +48,10 @@ class TestImage {
   static constexpr double darkest = 0.2;       // ε
   static constexpr double paths_of_prior = 8;  // m
   // A path counts no more than so many times what a sample does in the mean: one that is brighter says more of itself
-  // than of the block.
+  // than of the cell.
   static constexpr double brightest = 64;
 
-  // Of the cells, what was found.
+  // Of the cells, what was found, over what a sample finds in the mean.
   struct Light {
     std::vector<double> of_cells;
     double of_path = 0;  // a

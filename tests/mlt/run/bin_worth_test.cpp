@@ -33,7 +33,7 @@ TEST(BinWorth, OfAnImageFallsAsItsLightButNotOfWhatIsDark) {
   const BinWorth worth(std::array{2, 2}, groups);
   const double floor = 0.2 * 10;  // of the mean
   for (const auto& [bin, light] : {std::pair{0, 1.0}, {2, 0.0}, {3, 29.0}})
-    EXPECT_NEAR(worth(bin) / worth(1), (10 + floor) / (light + floor), 1e-3) << bin;
+    EXPECT_NEAR(worth(bin) / worth(1) * (light + floor) / (10 + floor), 1, 2e-3) << bin;
   EXPECT_NEAR((1 * worth(0) + 10 * worth(1) + 29 * worth(3)) / 40, 1, 1e-3) << "E_π[a]";
 }
 
