@@ -252,14 +252,14 @@ TEST(Pilots, HaveSeedsOfTheirOwn) {
 TEST(Pilots, AddUpWhatTheirGroupsFound) {
   TrialLog log;
   log.samples = 50;
-  log.found = {{0, 0, 3, 3}, {0, 1, 5, 5}, {7, 1, 2.5, 5}};  // the last is half a sample
+  log.found = {{0, 0, 4.75, 4.75}, {0, 1, 5, 5}, {7, 1, 2.5, 5}};  // the last is half a sample
   log.states = {{0, 0, 4}, {1, 1, 4}};
   const TrialLog other = log;
   const std::vector<TrialFindings> groups{{&log, 300, {0.25, 0.5}}, {&other, 300, {0.25, 0.5}}};
   const Pilot pilot = pilot_of(groups, BinWorth(std::array{2}, groups), 0, goes_on);
   EXPECT_EQ(pilot.samples, 100);
   EXPECT_EQ(pilot.rays, 600);
-  EXPECT_EQ(pilot.b(), 2 * (3 + 5 + 2.5) / 100);
+  EXPECT_EQ(pilot.b(), 2 * (4.75 + 5 + 2.5) / 100);
   EXPECT_EQ(pilot.found.count(), 5);
   EXPECT_EQ(pilot.chains.size(), 2);
   EXPECT_EQ(pilot.states().count(), 1.5);
@@ -269,7 +269,7 @@ TEST(Pilots, AddUpWhatTheirGroupsFound) {
   EXPECT_EQ(of_image.b(), pilot.b());
   EXPECT_DOUBLE_EQ(of_image.states().count(), 2 * (0.25 * worth(0) + 0.5 * worth(1)));
   // Without the path that brought most.
-  EXPECT_GT(3 * worth(0), 5 * worth(1));
+  EXPECT_GT(4.75 * worth(0), 5 * worth(1));
   const RatioHistogram light = of_image.light_of_samples();
   EXPECT_DOUBLE_EQ(light.count(), worth(0) * 1 + worth(1) * (2 + 2 * 0.5));
 }
