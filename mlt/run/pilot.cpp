@@ -159,7 +159,7 @@ Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain
   // Of a budget of time there may have been none for an early pilot.
   const bool has_grown = !early.borders.empty() && late.steps_per_chain > early.steps_per_chain;
   const double so_far = has_grown ? std::log(late.steps_per_chain / early.steps_per_chain) : 0;
-  const double to_come = std::log(std::max(1.0, steps_per_chain / late.steps_per_chain));
+  const double to_come = std::log(std::max(1.0, steps_per_chain) / late.steps_per_chain);
   double not_seen = 0;  // beyond this border or another after it
   for (std::size_t k = pilot.borders.size(); k-- > 0;) {
     Pilot::Border& border = pilot.borders[k];

@@ -37,12 +37,12 @@ std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, con
 // `late` as it would be after so many steps of each chain.  Where chains mix τ is the same after any
 // number of steps.  Where they do not it grows with them, for what they know of how much light lies
 // where is what their seeds knew: τ is taken to go on growing as the power of the steps by which it has
-// grown since `early`, the same pilot before.  Of light that samples have found beyond a border and chains
-// have not, chains know nothing, whatever their τ elsewhere: with this border and with all before it.  The
-// same is said of light that few of them have come to, and of which only these few spoil the film.  Of the power and of that light a quarter may be
-// noise, of the evenness half, and what is above is stretched to 0 … 1; of a
-// border beyond which there is hardly any light, all.  τ is no more than the steps of a chain, which tell
-// as much as one draw at least.
+// grown since `early`, the same pilot before, and in a run whose chains are shorter to be less by that power.
+// Of light that samples have found beyond a border and chains have not, chains know nothing, whatever their τ
+// elsewhere: with this border and with all before it.  The same is said of light that few of them have come to,
+// and of which only these few spoil the film.  Of the power and of that light a quarter may be noise, of the
+// evenness half, and what is above is stretched to 0 … 1; of a border beyond which there is hardly any light, all.
+// τ is no more than the steps of a chain, which tell as much as one draw at least.
 Pilot extrapolated(const Pilot& early, const Pilot& late, double steps_per_chain);
 
 }  // namespace wander

@@ -119,12 +119,21 @@ TEST(Pilots, ExpectOfChainsThatDoNotMixThatTheyGoOnSo) {
   EXPECT_EQ(run.borders[1].c, 4);
   EXPECT_DOUBLE_EQ(run.borders[1].steps_per_draw_of_total, 20);
   EXPECT_NEAR(run.borders[0].steps_per_draw_of_total, 4 * grown, 1e-9);
-  // No faster than the steps, and nothing is expected of a run that is shorter.
+  // No faster than the steps.
   EXPECT_NEAR(extrapolated(early, after(2000, 900, 200), 4000).borders[0].steps_per_draw, 1800,
               1e-9);
   EXPECT_DOUBLE_EQ(extrapolated(early, after(2000, 10, 200), 32'000).borders[0].steps_per_draw, 10);
-  EXPECT_DOUBLE_EQ(extrapolated(early, after(2000, 20, 200), 100).borders[1].steps_per_draw, 100);
   EXPECT_DOUBLE_EQ(extrapolated(early, after(500, 20, 200), 32'000).borders[1].steps_per_draw, 200);
+}
+
+// As the power of 1/2, of which 1/3 is left; and never more than the steps of a chain.
+TEST(Pilots, ExpectOfShorterChainsThatTheyAreCaughtForLess) {
+  const Pilot early = after(500, 20, 100), late = after(2000, 20, 200);
+  const Pilot run = extrapolated(early, late, 250);
+  EXPECT_DOUBLE_EQ(run.borders[0].steps_per_draw, 20);
+  EXPECT_NEAR(run.borders[1].steps_per_draw, 100, 1e-9);
+  EXPECT_NEAR(run.borders[0].steps_per_draw_of_total, 100, 1e-9);
+  EXPECT_DOUBLE_EQ(extrapolated(Pilot{}, late, 100).borders[1].steps_per_draw, 100);
 }
 
 TEST(Pilots, ExpectNoGrowthWhereThereWasNoTimeToSeeIt) {
