@@ -43,8 +43,8 @@ TEST(Raster, HasAtMostAsManyCellsAsAskedAndHalfOfThemWherePossible) {
   }
 }
 
-// The row of a bin comes from a product; at the ends of rows it must be that of the quotient, in films of any width,
-// up to the largest number that a bin can have.
+// The row of a bin comes from a product; at the ends and in the middle of rows it must be that of the quotient, in films
+// of any width, up to the largest number that a bin can have: first, middle and last rows, 3000 of each.
 TEST(Raster, FindsTheRowOfEveryBin) {
   const auto expect_cell = [](const Raster& raster, int width, int shift, std::int64_t bin) {
     const auto row = static_cast<std::size_t>(bin / width) >> shift,
