@@ -22,7 +22,7 @@ typename W::Square film_position_at(const Scene<W>& scene, const Path<W>& x, int
 template <World W>
 typename W::Real importance_at(const Scene<W>& scene, const Path<W>& x, int i,
                                const ImportanceMap& importance) {
-  return static_cast<typename W::Real>(importance(scene.bin(film_position_at(scene, x, i))));
+  return static_cast<typename W::Real>(importance(scene.bin(film_position_at(scene, x, i))).v);
 }
 
 }  // namespace wander

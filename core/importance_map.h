@@ -14,29 +14,46 @@
 
 namespace wander {
 
+// Of one bin: how much is measured where there is light of one, and how much light a measure of one shows.
+struct Importance {
+  double v = 1, light_of_measure = 1;
+  bool operator==(const Importance&) const = default;
+};
+
 class ImportanceMap {
  public:
   // `factors`: of the cells.
-  ImportanceMap(Raster raster, std::vector<double> factors)
-      : raster_(std::move(raster)), factors_(std::move(factors)) {
-    for (const double v : factors_) light_.push_back(1 / v);
+  ImportanceMap(Raster raster, const std::vector<double>& factors) : raster_(std::move(raster)) {
+    for (const double v : factors) cells_.push_back({v, 1 / v});
   }
 
-  double operator()(int bin) const { return factors_[raster_.cell(bin)]; }
-  double light_of_measure(int bin) const { return light_[raster_.cell(bin)]; }  // 1/v
+  const Importance& operator()(int bin) const { return cells_[raster_.cell(bin)]; }
 
  private:
   Raster raster_;
-  std::vector<double> factors_, light_;
+  std::vector<Importance> cells_;
 };
 
-// How much light a measure of one on this bin shows, 1/v; in spaces that know no map it is one.
+// Of this bin; in spaces that know no map it is one.
+template <class Space>
+Importance importance(const Space& space, int bin) {
+  if constexpr (requires { space.importance(bin); })
+    return space.importance(bin);
+  else
+    return {};
+}
 template <class Space>
 double light_of_measure(const Space& space, int bin) {
-  if constexpr (requires { space.light_of_measure(bin); })
-    return space.light_of_measure(bin);
+  return importance(space, bin).light_of_measure;
+}
+
+// The same paths, of which light is measured, whether there is a map or none.
+template <class Space>
+Space measuring_light(const Space& space) {
+  if constexpr (requires { space.measuring_light(); })
+    return space.measuring_light();
   else
-    return 1;
+    return space;
 }
 
 }  // namespace wander

@@ -50,10 +50,8 @@ class Transport {
     return {*scene_, roulette_, &importance};
   }
   Transport measuring(ImportanceMap&&) const = delete;
-  // How much light a measure of one on this bin shows.
-  double light_of_measure(int bin) const {
-    return importance_ ? importance_->light_of_measure(bin) : 1;
-  }
+  Transport measuring_light() const { return {*scene_, roulette_}; }
+  Importance importance(int bin) const { return importance_ ? (*importance_)(bin) : Importance{}; }
 
   template <class Random>
   void begin_light(Path<W>& x, int i, Random& random) const {

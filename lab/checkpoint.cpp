@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/8";
+constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/9";
 
 class Refusal {
  public:

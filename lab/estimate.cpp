@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/bins_of_sample.h"
 #include "lab/drive.h"
 #include "lab/sample_film.h"
 
@@ -29,11 +30,12 @@ std::unique_ptr<LiveRun> make_estimate(const Scene<W>& scene, const Estimator& e
   using Space = Transport<W>;
   const auto transport = std::make_shared<const Space>(scene, estimator.roulette);
   const auto make = [&]() -> FilmSampler {
-    return [transport,
+    return [transport, bins = BinsOfSample<Space>(*transport),
             sampler = PathSampler<Space>(*transport, estimator.techniques, estimator.heuristic)](
                Rng& rng, Contributions& found) mutable {
+      bins.begin();
       sampler.sample(rng, [&](const JoinedPath<W>& path, int s, double weighted) {
-        found.push_back({path.size(), s, transport->bin(path.ends()), weighted});
+        found.push_back({path.size(), s, bins(path, s), weighted});
         if constexpr (W::channels > 1) found.back().tint = path.colour().colour;
       });
     };

@@ -21,7 +21,7 @@ class BinWorth {
   // `resolution`: of the film.
   BinWorth(std::span<const int> resolution, std::span<const TrialFindings> groups);
 
-  double operator()(int bin) const { return worth_ ? (*worth_)(bin) : 1; }
+  double operator()(int bin) const { return worth_ ? (*worth_)(bin).v : 1; }
   bool is_even() const { return !worth_.has_value(); }
 
  private:

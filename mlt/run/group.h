@@ -65,8 +65,8 @@ class ChainGroup {
   // Before the chains start, and beside them.
   void add_seeds(std::uint64_t count) {
     if (parts_.empty()) return source_.add_seeds(count);
-    source_.add_seeds(count,
-                      SampleWatcher<Space, Chains::Seeds::ratios>(source_.space(), parts_.front()));
+    using W = typename Space::Universe;
+    source_.add_seeds(count, SampleWatcher<W, Chains::Seeds::ratios>(parts_.front()));
   }
   const SeedTally& tally() const { return source_.tally(); }
   const SeedTally& seed_tally() const { return source_.seed_tally(); }

@@ -83,20 +83,18 @@ class PooledParts {
 };
 
 // Brings samples to the film.  `R` says what l is of: of a path, or of a whole sample.
-template <class Space, Ratios R>
+template <class W, Ratios R>
 class SampleWatcher {
  public:
-  using W = typename Space::Universe;
-
-  SampleWatcher(const Space& space, PooledParts& parts) : space_(&space), parts_(&parts) {}
+  explicit SampleWatcher(PooledParts& parts) : parts_(&parts) {}
 
   // By the balance heuristic w f/p is l, or the part of it that a path is of a sample.
-  void found(const JoinedPath<W>& x, int bin, int technique, double weight) {
-    const double light = weight * light_of_measure(*space_, bin);
+  void found(const JoinedPath<W>& x, const FoundPath& path) {
+    const auto& [bin, technique, ratio, light] = path;
     if (R == Ratios::of_paths && parts_->takes_paths())
-      return parts_->add_path(x.size(), bin, light, weight);
+      return parts_->add_path(x.size(), bin, light, ratio);
     if (R == Ratios::of_paths)
-      sample_.push_back({x.size(), technique, bin, light * parts_->partition().of_samples(weight)});
+      sample_.push_back({x.size(), technique, bin, light * parts_->partition().of_samples(ratio)});
     else
       sample_.push_back({x.size(), technique, bin, light});
     if constexpr (W::channels > 1) sample_.back().tint = x.colour().colour;
@@ -110,7 +108,6 @@ class SampleWatcher {
   }
 
  private:
-  const Space* space_;
   PooledParts* parts_;
   Contributions sample_;  // under way
 };

@@ -24,6 +24,7 @@
 #include <span>
 #include <vector>
 
+#include "core/bins_of_sample.h"
 #include "core/importance_map.h"
 #include "core/path_sampler.h"
 
@@ -79,6 +80,7 @@ std::optional<ImportanceMap> importance_of_test_image(const Space& space,
   if (resolution.size() < 2) return std::nullopt;
   PathSampler<Space> sampler(space.with(Roulette::by_albedo), all_techniques, Heuristic::balance);
   Rng random(0, Purpose::test_image, 0);
+  BinsOfSample<Space> bins(space);
   TestImage image(resolution);
   std::uint64_t samples = 0;
   const auto is_enough = [&] {
@@ -89,8 +91,9 @@ std::optional<ImportanceMap> importance_of_test_image(const Space& space,
   for (; !is_enough(); ++samples) {
     if (samples % 256 == 0 && is_interrupted()) return std::nullopt;
     random.start(samples);
-    sampler.sample(
-        random, [&](const auto& x, int, double light) { image.add(space.bin(x.ends()), light); });
+    bins.begin();
+    sampler.sample(random,
+                   [&](const auto& x, int s, double light) { image.add(bins(x, s), light); });
   }
   return image.importance(samples);
 }

@@ -57,8 +57,8 @@ class SampleLogger {
 
   explicit SampleLogger(TrialLog& log) : log_(&log), begin_(log.found.size()) {}
 
-  void found(const JoinedPath<W>&, int bin, int /*technique*/, double light) {
-    log_->found.push_back({log_->samples, bin, light, light});
+  void found(const JoinedPath<W>&, const FoundPath& path) {
+    log_->found.push_back({log_->samples, path.bin, path.light, path.measure});
   }
   void end_sample(double total) {
     if constexpr (R == Ratios::of_samples)

@@ -24,12 +24,8 @@ class RatioHistogram {
   // A positive number; the histogram grows to hold it.
   void add(double ratio, double weight = 1) {
     const int i = index_of(ratio);
-    if (bins_.empty()) first_ = i;
-    if (i < first_) {
-      bins_.insert(bins_.begin(), static_cast<std::size_t>(first_ - i), Bin{});
-      first_ = i;
-    }
-    if (i >= end()) bins_.resize(static_cast<std::size_t>(i - first_) + 1);
+    if (i < first_ || i >= end()) [[unlikely]]
+      grow_to(i);
     put(i, ratio, weight);
   }
 
@@ -113,6 +109,14 @@ class RatioHistogram {
  private:
   static int index_of(double ratio) {
     return static_cast<int>(std::bit_cast<std::uint64_t>(ratio) >> (52 - bits_per_octave));
+  }
+  [[gnu::cold]] void grow_to(int i) {
+    if (bins_.empty()) first_ = i;
+    if (i < first_) {
+      bins_.insert(bins_.begin(), static_cast<std::size_t>(first_ - i), Bin{});
+      first_ = i;
+    }
+    if (i >= end()) bins_.resize(static_cast<std::size_t>(i - first_) + 1);
   }
   void put(int i, double ratio, double weight) {
     Bin& bin = bins_[static_cast<std::size_t>(i - first_)];

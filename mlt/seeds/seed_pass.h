@@ -6,8 +6,8 @@
 // and b_g times the mean of what its chains deposit is unbiased for any length of the chains.  Seeds are found in one sweep by weighted reservoirs; only the sample's index
 // is kept, and the path is made again from its random numbers.
 //
-// In a space with a map v (importance_map.h) all f are f v, and so are seeds and the b_g of their chains;
-// b, the film and the lengths are of light, f.
+// In a space with a map v (importance_map.h) seeds and the b_g of their chains are of f v; b, the film and the lengths are
+// of light, f.  A sample is one of light, and v a factor of each of its paths, once its bin is known.
 //
 // When seeds are drawn samples may go on beside the chains: they are further evidence of b and of the
 // film, but b_g stays that of the samples that the seeds came from.
@@ -15,6 +15,7 @@
 
 #include <stdexcept>
 
+#include "core/bins_of_sample.h"
 #include "core/film_layout.h"
 #include "core/path_class.h"
 #include "core/path_sampler.h"
@@ -51,10 +52,9 @@ struct SeedEvidence {
 
 // What watches samples: those of the seed pass that show nothing.
 struct NoWatcher {
-  // A path of the sample under way.
   template <class W>
-  void found(const JoinedPath<W>&, int /*bin*/, int /*technique*/, double /*w f/p*/) {}
-  // Its light in all.
+  void found(const JoinedPath<W>&, const FoundPath&) {}
+  // What is measured of all its paths.
   void end_sample(double) {}
 };
 
@@ -68,7 +68,8 @@ class SeedSlice {
   SeedSlice(const Space& space, std::uint64_t seed, int group, int count,
             const FilmLayout& layout = {})
       : space_(&space),
-        sampler_(space.with(Seeds::roulette), all_techniques, Heuristic::balance),
+        sampler_(measuring_light(space).with(Seeds::roulette), all_techniques, Heuristic::balance),
+        bins_(space),
         samples_(seed, Purpose::seed_pass, static_cast<std::uint32_t>(group)),
         seeds_(Rng(seed, Purpose::resample, static_cast<std::uint32_t>(group)), count),
         tally_(space.max_vertices()),
@@ -109,8 +110,8 @@ class SeedSlice {
     bool found = false;
     samples_.start(seed.sample);
     sampler_.sample_only(seed.technique, seed.vertices - seed.technique, samples_,
-                         [&](const Path<W>& x, int, double weight) {
-                           if (weight != seed.weight) return;
+                         [&](const Path<W>& x, int, double light) {
+                           if (light * importance(*space_, space_->bin(x)).v != seed.weight) return;
                            path = x;
                            found = true;
                          });
@@ -138,26 +139,28 @@ class SeedSlice {
     const std::uint64_t index = tally_.samples++;
     samples_.start(index);
     seeds_.start(index);
-    double total = 0, light = 0;
+    bins_.begin();
+    double measure = 0, light = 0;
     const std::uint64_t rays = sampler_.rays();
-    sampler_.sample(samples_, [&](const JoinedPath<W>& x, int s, double weight) {
-      const int bin = space_->bin(x.ends());
-      const double of_measure = light_of_measure(*space_, bin), of_path = weight * of_measure;
-      total += weight;
-      light += of_path;
-      by_length_[static_cast<std::size_t>(x.size()) - 2] += of_path;
-      tally_.total += of_path;
-      tally_.measure += weight;
+    sampler_.sample(samples_, [&](const JoinedPath<W>& x, int s, double of_path) {
+      const int bin = bins_(x, s);
+      const Importance of_bin = importance(*space_, bin);
+      const FoundPath found{bin, s, of_path * of_bin.v, of_path};
+      measure += found.measure;
+      light += found.light;
+      by_length_[static_cast<std::size_t>(x.size()) - 2] += found.light;
       if constexpr (Seeds::ratios == Ratios::of_paths)
-        evidence_.ratios[Seeds::stratum(x.size())].add(weight, of_measure);
-      if (takes_seeds_) keep(x, bin, of_path, {index, x.size(), s, weight});
-      watcher.found(x, bin, s, weight);
+        evidence_.ratios[Seeds::stratum(x.size())].add(found.measure, of_bin.light_of_measure);
+      if (takes_seeds_) keep(x, found, index);
+      watcher.found(x, found);
     });
     tally_.rays += sampler_.rays() - rays;
-    watcher.end_sample(total);
-    if (total == 0) return;
-    if constexpr (Seeds::ratios == Ratios::of_samples) evidence_.ratios[0].add(total);
-    if (takes_seeds_) seeds_.offer_sample({.sample = index, .weight = total});
+    watcher.end_sample(measure);
+    if (measure == 0) return;
+    if constexpr (Seeds::ratios == Ratios::of_samples) evidence_.ratios[0].add(measure);
+    if (takes_seeds_) seeds_.offer_sample({.sample = index, .weight = measure});
+    tally_.total += light;
+    tally_.measure += measure;
     tally_.total_squares += light * light;
     for (std::size_t k = 0; k < by_length_.size(); ++k) {
       if (by_length_[k] == 0) continue;
@@ -168,16 +171,17 @@ class SeedSlice {
   }
 
   // A path that may become a seed.
-  void keep(const JoinedPath<W>& x, int bin, double light, const Seed& seed) {
-    seeds_.offer_path(seed);
-    if (tally_.techniques.has(seed.vertices))
-      tally_.techniques.row(seed.vertices)[static_cast<std::size_t>(seed.technique)] += seed.weight;
-    evidence_.film[raster_.cell(bin)] += light;
-    *entries_of(evidence_.by_class, evidence_.classes.index(path_class_of(x))) += seed.weight;
+  void keep(const JoinedPath<W>& x, const FoundPath& found, std::uint64_t sample) {
+    seeds_.offer_path({sample, x.size(), found.technique, found.measure});
+    if (tally_.techniques.has(x.size()))
+      tally_.techniques.row(x.size())[static_cast<std::size_t>(found.technique)] += found.measure;
+    evidence_.film[raster_.cell(found.bin)] += found.light;
+    *entries_of(evidence_.by_class, evidence_.classes.index(path_class_of(x))) += found.measure;
   }
 
   const Space* space_;
   PathSampler<Space> sampler_;
+  BinsOfSample<Space> bins_;
   Rng samples_;
   Seeds seeds_;
   SeedTally tally_;

@@ -11,6 +11,12 @@
 
 namespace wander {
 
+// A path that a sample found by technique (s,t): its bin, w f v/p, and the light that it shows, w f/p.
+struct FoundPath {
+  int bin, technique;  // s
+  double measure, light;
+};
+
 // Σ and Σ² over samples, of all paths and of each length.
 struct SeedTally {
   std::uint64_t samples = 0;

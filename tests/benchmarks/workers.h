@@ -1,6 +1,7 @@
 // What is measured: samples and mutations as the renderers make them, up to the film.
 #pragma once
 
+#include "core/bins_of_sample.h"
 #include "core/large_sample_film.h"
 #include "mlt/run/deposit.h"
 #include "mlt/seeds/seed_pass.h"
@@ -18,6 +19,7 @@ class SampleWorker {
 
   SampleWorker(const Transport<W>& transport, std::uint64_t first)
       : transport_(transport),
+        bins_(transport_),
         sampler_(transport, all_techniques, Heuristic::power),
         film_(transport.scene().film_shape(), transport.max_vertices(), {}),
         part_(transport.scene().film_shape(), transport.max_vertices(), {}),
@@ -28,8 +30,9 @@ class SampleWorker {
     for (int i = 0; i < items_per_turn; ++i) {
       random_.start(next_++);
       found_.clear();
+      bins_.begin();
       sampler_.sample(random_, [&](const JoinedPath<W>& path, int s, double weighted) {
-        found_.push_back({path.size(), s, transport_.bin(path.ends()), weighted});
+        found_.push_back({path.size(), s, bins_(path, s), weighted});
         if constexpr (W::channels > 1) found_.back().tint = path.colour().colour;
       });
       part_.add(found_);
@@ -44,6 +47,7 @@ class SampleWorker {
   using Film = std::conditional_t<W::dimension == 3, LargeSampleFilm, SampleFilm>;
 
   Transport<W> transport_;
+  BinsOfSample<Transport<W>> bins_;
   PathSampler<Transport<W>> sampler_;
   Film film_;
   typename Film::Part part_;

@@ -14,9 +14,9 @@ namespace {
 
 TEST(ImportanceMap, IsConstantOnBlocks) {
   const ImportanceMap importance(Raster(std::vector{64, 64}, 1024), std::vector<double>(1024, 3));
-  EXPECT_EQ(importance(64 * 64 - 1), 3);
+  EXPECT_EQ(importance(64 * 64 - 1).v, 3);
   const ImportanceMap of_curve(Raster(3), {1, 2, 4});
-  for (const int bin : {0, 1, 2}) EXPECT_EQ(of_curve(bin), 1 << bin);
+  for (const int bin : {0, 1, 2}) EXPECT_EQ(of_curve(bin).v, 1 << bin);
 }
 
 struct Found {
@@ -57,7 +57,7 @@ void expect_measured(const Scene<W>& scene) {
     ASSERT_EQ(measured[k].bin, bin);
     EXPECT_NEAR(measured[k].weight / light[k].weight, factors[static_cast<std::size_t>(bin)],
                 1e-12 * factors[static_cast<std::size_t>(bin)]);
-    EXPECT_NEAR(light_of_measure(measuring, bin) * importance(bin), 1, 1e-15);
+    EXPECT_NEAR(light_of_measure(measuring, bin) * importance(bin).v, 1, 1e-15);
     EXPECT_EQ(light_of_measure(plain, bin), 1);
   }
 }
@@ -68,7 +68,8 @@ TEST(ImportanceMap, IsAFactorOfWhatASensorMeasures) {
 }
 TEST(ImportanceMap, IsAFactorOfWhatACameraMeasures) {
   expect_measured(Scene<Spaceland>(space_box()));
-  for (const double lens : {0.0, 0.05}) expect_measured(Scene<Spaceland>(space_box_by_camera(lens)));
+  for (const double lens : {0.0, 0.05})
+    expect_measured(Scene<Spaceland>(space_box_by_camera(lens)));
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ class Trial {
     return 1;
   }
   double factor_of_bin(int bin) const {
-    return flaw_ == Flaw::undivided ? 1 / space_.light_of_measure(bin) : 1;
+    return flaw_ == Flaw::undivided ? 1 / light_of_measure(space_, bin) : 1;
   }
 
   SceneMaker room_ = open_room(5);

@@ -45,7 +45,7 @@ std::vector<double> believed(std::span<const int> resolution, const std::vector<
   const ImportanceMap importance = image.importance(1).value();
   std::vector<double> values;
   for (std::size_t j = 0; j < paths.size(); ++j)
-    values.push_back(importance(0) / importance(static_cast<int>(j)));
+    values.push_back(importance(0).v / importance(static_cast<int>(j)).v);
   return values;
 }
 void expect_near(const std::vector<double>& seen, const std::vector<double>& light) {
@@ -105,7 +105,7 @@ TEST(TestImages, MakeTheMeasureEvenWherePathsAreFew) {
   const ImportanceMap importance = image.importance(paths).value();
   double measure = 0, work = 0;
   for (int j = 0; j < edge * edge; ++j) {
-    const double of_bin = importance(j) * light[static_cast<std::size_t>(j)];
+    const double of_bin = importance(j).v * light[static_cast<std::size_t>(j)];
     measure += of_bin / (edge * edge);
     work += 1 / of_bin / (edge * edge);
   }
@@ -132,7 +132,7 @@ TEST(TestImages, MakeTheMeasureEven) {
   // Coefficients of variation over the bins, of the light and of what is measured.
   double all = 0, measured = 0, squares = 0, squares_measured = 0;
   for (int j = 0; j < bins; ++j) {
-    const double x = light[static_cast<std::size_t>(j)], y = importance(j) * x;
+    const double x = light[static_cast<std::size_t>(j)], y = importance(j).v * x;
     all += x;
     squares += x * x;
     measured += y;
