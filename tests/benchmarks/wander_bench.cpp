@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "mlt/run/test_image.h"
 #include "tests/benchmarks/alternation.h"
 #include "tests/benchmarks/scaling.h"
 #include "tests/benchmarks/workers.h"
@@ -62,6 +63,19 @@ void bench_samples(benchmark::State& state, const std::string& name) {
   alternate(state, *scene, workers, "samples/s");
 }
 
+// As a run of `mlt` makes them: of an image the target is even.
+template <World W>
+void bench_seeds(benchmark::State& state, const std::string& name) {
+  const auto scene = bench_scene<W>(name);
+  const Transport<W> light(*scene, Roulette::off);
+  const auto importance = importance_of_test_image(light, [] { return false; });
+  const Transport<W> transport = importance ? light.measuring(*importance) : light;
+  std::vector<SeedWorker<W>> workers;
+  workers.reserve(workers_per_round);
+  for (int k = 0; k < workers_per_round; ++k) workers.emplace_back(transport, k);
+  alternate(state, *scene, workers, "samples/s");
+}
+
 // `choose` makes the kernel of the mixture of all.
 template <World W>
 void bench_mutations(benchmark::State& state, const std::string& name,
@@ -93,6 +107,9 @@ void register_all(std::span<const char* const> names) {
     add("any", 0.1, [name](benchmark::State& state) { bench_any<W>(state, name); });
     add("bdpt", 0.3, [name](benchmark::State& state) {
       bench_samples<W>(state, name);
+    })->UseManualTime();
+    add("seeds", 0.3, [name](benchmark::State& state) {
+      bench_seeds<W>(state, name);
     })->UseManualTime();
     for (std::size_t i = 0; i < Family::count; ++i)
       add(std::string(Family::names[i]), 0.3, [name, i](benchmark::State& state) {

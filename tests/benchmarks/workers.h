@@ -4,6 +4,7 @@
 #include "core/bins_of_sample.h"
 #include "core/large_sample_film.h"
 #include "mlt/run/deposit.h"
+#include "mlt/run/group_films.h"
 #include "mlt/seeds/seed_pass.h"
 #include "mlt/watch/functionals.h"
 #include "mlt/watch/statistics.h"
@@ -54,6 +55,31 @@ class SampleWorker {
   Contributions found_;
   Rng random_;
   std::uint64_t next_;
+};
+
+// Samples of the slice of one group, with all that they are evidence of, for a pooled film.
+template <World W>
+class SeedWorker {
+ public:
+  static constexpr int items_per_turn = 64;
+
+  SeedWorker(const Transport<W>& transport, int group)
+      : slice_(transport, 1, group, seeds),
+        parts_({.partition = {.c = 100}}, transport.scene().film_shape(), transport.max_vertices(),
+               {}),
+        film_(transport.scene().film_shape(), transport.max_vertices(), {}) {}
+
+  void take_turn() {
+    slice_.run(items_per_turn, SampleWatcher<W, Ratios::of_paths>(parts_));
+    if constexpr (W::dimension == 3) parts_.move_samples_to(film_);
+  }
+
+ private:
+  static constexpr int seeds = 64;
+
+  SeedSlice<Transport<W>> slice_;
+  PooledParts parts_;
+  LargeSampleFilm film_;
 };
 
 // Mutations of one chain, as lab/render.h makes them.
