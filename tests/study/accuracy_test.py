@@ -1,5 +1,6 @@
 """tools/accuracy with a program that measures nothing: what it asks for, what it keeps, what the page shows."""
 import json
+import math
 import os
 import stat
 import subprocess
@@ -10,7 +11,9 @@ import xml.etree.ElementTree as ET
 from pathlib import Path
 
 import place
+from study import error_figure
 from study.accuracy_plan import joined, mutation_settings, seconds_per_run, studies_of
+from study.comparison import Measured
 
 # `inspect` and `compare` of made-up numbers; writes each command down.  float is refused, as where a
 # scene does not fit; kernel=4 is significantly worse than usual.
@@ -100,6 +103,16 @@ class Accuracy(unittest.TestCase):
         broken.write_text(whole)
         self.assertEqual(done.returncode, 3)
         self.assertIn("slit/kernel/compare.json", done.stderr)
+
+
+class Figure(unittest.TestCase):
+    def test_an_error_without_an_interval_has_no_bar(self):
+        def bars(*interval):
+            points = [(Measured(t, t, t), Measured(e, *interval)) for t, e in ((0.1, 0.2), (1, 0.1))]
+            drawn = error_figure.draw({"slit": {"mlt": points}}, ["mlt"])
+            self.assertNotIn("nan", drawn)
+            return drawn.count('stroke-width="0.6"')
+        self.assertEqual(bars(0.05, 0.3) - bars(math.nan, math.nan), 2)
 
 
 class Plan(unittest.TestCase):

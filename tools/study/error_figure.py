@@ -1,6 +1,6 @@
 """Error against time as small multiples: a panel for each scene, a line for each method, log-log.
 
-Bars are the 95 % intervals of the comparison.  Methods are told apart by dashes and by the letters
+Bars are the 95 % intervals of the comparison, where it has one.  Methods are told apart by dashes and by the letters
 at the ends of their lines, which the legend explains; colours help.
 """
 import math
@@ -48,6 +48,8 @@ class LogPanel:
         line = [(self.to_x(t.value), self.to_y(e.value)) for t, e in points]
         self.svg.line(line, stroke=colour, stroke_width=0.9, stroke_dasharray=dashes)
         for (x, _), (_, error) in zip(line, points):
+            if math.isnan(error.low) or math.isnan(error.high):  # no interval is known
+                continue
             low = error.low if error.low > 0 else self.errors[0]
             self.svg.line([(x, self.to_y(low)), (x, self.to_y(error.high))], stroke=colour, stroke_width=0.6)
 
