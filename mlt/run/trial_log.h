@@ -15,7 +15,7 @@ namespace wander {
 
 struct TrialLog {
   // A path of a sample: what of its light w f/p falls on a bin, and l, its own or that of the whole
-  // sample (partition.h).
+  // sample (partition.h).  In a space with a map v all of f is of f v, here as of deposits and states.
   struct Found {
     std::uint32_t sample;
     int bin;
@@ -58,7 +58,7 @@ class SampleLogger {
   explicit SampleLogger(TrialLog& log) : log_(&log), begin_(log.found.size()) {}
 
   void found(const JoinedPath<W>&, const FoundPath& path) {
-    log_->found.push_back({log_->samples, path.bin, path.light, path.measure});
+    log_->found.push_back({log_->samples, path.bin, path.measure, path.measure});
   }
   void end_sample(double total) {
     if constexpr (R == Ratios::of_samples)

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lab/copied_seeds.h"
+#include "mlt/run/chain_groups.h"
 #include "mlt/run/mmlt_group.h"
 #include "mlt/run/path_group.h"
 #include "mlt/run/pssmlt_group.h"
@@ -111,6 +112,29 @@ TEST_F(TrialGroups, OfSamplesKeepWhatTheirFilmIsMadeOf) {
 TEST_F(TrialGroups, OfLengthsKeepWhatTheirFilmIsMadeOf) {
   expect_the_same<MmltGroup<Flat, Kelemen, ExpectedValues>::Source>(
       PrimaryKernel<Kelemen>{Kelemen{}, 0.3});
+}
+
+// To a pilot whose target is f v that is the light, of samples as of chains.
+TEST_F(TrialGroups, OfAnUnevenTargetFindWhatIsMeasured) {
+  std::vector<double> factors(static_cast<std::size_t>(space_.scene().bins()));
+  for (std::size_t j = 0; j < factors.size(); ++j) factors[j] = j % 2 == 0 ? 4 : 0.5;
+  const ImportanceMap importance(Raster(space_.scene().bins()), factors);
+  const Flat measuring = space_.measuring(importance);
+  const Family family = make_family({}, space_.max_vertices());
+  TrialGroup<PathChains<Flat, Family>> of_light(space_, family, 3, 1, 2, {}),
+      measured(measuring, family, 3, 1, 2, {});
+  of_light.add_seeds(150);
+  measured.add_seeds(150);
+  const TrialFindings light = of_light.findings(), measure = measured.findings();
+  ASSERT_GT(light.log->found.size(), 50u);
+  ASSERT_EQ(light.log->found.size(), measure.log->found.size());
+  for (std::size_t i = 0; i < light.log->found.size(); ++i) {
+    const auto &x = light.log->found[i], &y = measure.log->found[i];
+    const double v = factors[static_cast<std::size_t>(x.bin)];
+    EXPECT_EQ(y.bin, x.bin);
+    EXPECT_EQ(y.light, v * x.light);
+    EXPECT_EQ(y.ratio, v * x.ratio);
+  }
 }
 
 // A step or sample of n vertices may cost n².
