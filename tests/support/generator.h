@@ -1,4 +1,4 @@
-// Random numbers for tests: splitmix64 [Steele, Lea, Flood 2014], written here so that no test of
+// Random numbers for tests: splitmix64 [Steele, Lea and Flood 2014], written here so that no test of
 // the program's generator, nor any oracle, leans on the program.
 #pragma once
 
@@ -23,7 +23,7 @@ class Generator {
   // In [0, 1), 53 bits.
   double uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
 
-  // Standard normal [Box & Muller 1958]; 1 - u is never zero.
+  // Standard normal [Box and Muller 1958]; 1 - u is never zero.
   double normal() {
     const double radius = std::sqrt(-2 * std::log(1 - uniform()));
     const double angle = 2 * std::numbers::pi * uniform();

@@ -69,7 +69,7 @@ struct ConfidenceInterval {
 
   bool contains(double value) const { return low <= value && value <= high; }
 };
-// The exact interval of a proportion [Clopper & Pearson 1934], for coverage tests.
+// The exact interval of a proportion [Clopper and Pearson 1934], for coverage tests.
 // `binomial_test` passes while the interval of confidence 1 - false_alarm holds the probability.
 ConfidenceInterval binomial_interval(std::uint64_t successes, std::uint64_t trials,
                                      double confidence);
