@@ -3,7 +3,7 @@
 //
 // The groups of several runs are groups of one.  If the runs are of different sizes, a group counts
 // as its run's share of
-//   1 / (1/steps + share/seeds)    [seeds: samples of the seed pass, share: --seed-share]
+//   1 / (1/steps + share/seeds)    [seeds: its independent samples, share: --seed-share]
 // for the variance of a film falls as 1/steps of the chains and as 1/seeds, and both parts are taken
 // to be equal where the seed pass has its usual length.  What a group found has no part in it.
 #pragma once

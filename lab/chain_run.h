@@ -122,6 +122,9 @@ class ChainRun final : public LiveRun {
     return turn_of(usual, space_.max_vertices()) * groups_->active();
   }
   std::uint64_t first_look() const override { return 1 << 17; }
+  bool lacks_samples(double error) const override {
+    return pooling_ ? !(pooling_->samples_per_step > 0) : seeds().relative_error > error;
+  }
 
   // Of the chains alone with the constants of the seed pass; or pooled, as it comes out.
   FilmEstimate preview() const override {

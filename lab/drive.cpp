@@ -1,5 +1,6 @@
 #include "lab/drive.h"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cereal/archives/binary.hpp>
 #include <cmath>
@@ -23,6 +24,14 @@ constexpr double rehearsed_after = 0.25;  // of the time of the samples
 // The error of the seed pass may be so much of the target, if that is the budget: then b takes
 // no more than a quarter of the variance.
 constexpr double share_of_error = 0.5;
+
+std::string error_that_stays(double error, double target) {
+  return fmt::format(
+      "about {:.2g} % of the film's error stay, above the {:.2g} % that were asked for: no more "
+      "independent samples are made, and mutations do not lessen what these left unknown; make the "
+      "run anew with this budget",
+      100 * error, 100 * target);
+}
 
 void write_state(const LiveRun& run, std::ostream& bytes) {
   cereal::BinaryOutputArchive archive(bytes);
@@ -184,12 +193,18 @@ class Drive {
   }
   Rendering to_error(double target) {
     if (headway_.goal == 0) headway_.goal = run_.rest(run_.first_look());
+    ErrorThatStays of_samples(target);
     while (true) {
       advance_to(headway_.goal);
       Rendering r = findings();
       const double error = relative_error(r.film);
       if (error <= target || execution_.is_interrupted()) return r;
       if (!std::isfinite(error) && run_.samples() >= samples_in_the_dark) return r;
+      if (std::isfinite(error) && run_.lacks_samples(share_of_error * target))
+        if (const auto stays = of_samples.seen(run_.samples(), error, r.film.degrees_of_freedom)) {
+          r.warnings.push_back(error_that_stays(*stays, target));
+          return r;
+        }
       fraction_of_error_ =
           std::isfinite(error) ? std::min(1.0, target * target / (error * error)) : 0;
       headway_.goal = run_.rest(next_look(run_.samples(), error, target));

@@ -69,6 +69,9 @@ class LiveRun {
   // No fewer samples, at which it is best to rest.
   virtual std::uint64_t rest(std::uint64_t samples) const { return samples; }
 
+  // No more independent samples are made, and what these left unknown may be more than so much of the film.
+  virtual bool lacks_samples(double /*relative error*/) const { return false; }
+
   // The film as it is, at little cost.
   virtual FilmEstimate preview() const = 0;
   // All that has come out, but for facts of the execution.

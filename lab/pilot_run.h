@@ -130,9 +130,11 @@ class PilotRun {
   // Nothing, once the run is interrupted: it may take a while where paths are long.
   Pilot found_by(const BinWorth& worth) const {
     if (budget_.is_interrupted()) return {};
-    const std::uint64_t active = trial_->active();
-    Pilot pilot = pilot_of(findings_of(*trial_), worth, active > 0 ? trial_->steps() / active : 0,
-                           [this] { return budget_.is_interrupted(); });
+    PilotSteps of_each;
+    if (const std::uint64_t active = trial_->active(); active > 0)
+      of_each = {trial_->steps() / active, budget_.steps() / active};
+    Pilot pilot =
+        pilot_of(findings_of(*trial_), worth, of_each, [this] { return budget_.is_interrupted(); });
     if (resolution_.size() > 1) pilot.rays_per_step = rays_per_step_in_space;
     return pilot;
   }

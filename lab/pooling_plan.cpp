@@ -14,7 +14,8 @@ std::optional<PoolingPlan> PoolingPlanner::by_samples(const Pilot& samples) cons
 }
 
 PoolingPlan PoolingPlanner::by_chains(Pilot pilot) const {
-  if (settings_.seed_share) return plan(pilot, with_seed_share(pilot, *settings_.seed_share));
+  if (settings_.seed_share && !is_of_error())
+    return plan(pilot, with_seed_share(pilot, *settings_.seed_share));
   if (!is_telling(pilot) && has_all_samples_before())
     return plan(pilot, with_seed_share(pilot, seed_share_in_the_dark(pilot)));
   if (has_all_samples_before())
@@ -22,19 +23,21 @@ PoolingPlan PoolingPlanner::by_chains(Pilot pilot) const {
   else if (is_telling(pilot))
     pilot.steps_per_seed =
         steps() / static_cast<double>(std::max(settings_.fewest_seeds, seeds_for(pilot)));
-  return plan(pilot, cautious_pooling(pilot, film_.bins, most_cost()));
+  // Nobody knows how many steps an error takes: so many samples for each of them go on beside the chains.
+  return plan(pilot, settings_.seed_share ? pooling(pilot, *settings_.seed_share, film_.bins)
+                                          : cautious_pooling(pilot, film_.bins, most_cost()));
 }
 
 double PoolingPlanner::steps_per_chain() const {
   const ChainSettings settings = settings_of_chains({}, 0);
-  const double all = steps();
-  return all / (settings.groups * settings.chains_for(static_cast<std::uint64_t>(all)));
+  const auto expected = static_cast<std::uint64_t>(expected_steps(run_).value_or(0));
+  return steps() / (settings.groups * settings.chains_for(expected));
 }
 
 // Of an error it is not known.
 double PoolingPlanner::steps() const {
-  const auto most = static_cast<double>(settings_.steps_per_chain);
-  return expected_steps(run_).value_or(most * settings_.groups * settings_.chains_per_group);
+  const auto usual = static_cast<double>(ChainSettings{}.steps_per_chain);
+  return expected_steps(run_).value_or(usual * settings_.groups * settings_.chains_per_group);
 }
 
 double PoolingPlanner::most_cost() const {
@@ -46,10 +49,13 @@ bool PoolingPlanner::is_of_time() const {
   return std::holds_alternative<TimeBudget>(run_.session().budget);
 }
 
+bool PoolingPlanner::is_of_error() const {
+  return std::holds_alternative<ErrorBudget>(run_.session().budget);
+}
+
 // Of an image, if the budget says how many they are.
 bool PoolingPlanner::has_all_samples_before() const {
-  return film_.kind == FilmKind::image &&
-         !std::holds_alternative<ErrorBudget>(run_.session().budget);
+  return film_.kind == FilmKind::image && !is_of_error();
 }
 
 ChainSettings PoolingPlanner::settings_of_chains(const Pilot& pilot,
@@ -85,7 +91,7 @@ PoolingPlan PoolingPlanner::plan(const Pilot& pilot, const Pooling& pooling) con
                    seed_share(pilot, pooling)};
   // Where samples go on beside the chains, seeds need no more than the fewest, or what it takes for
   // the slice of a group to find light.
-  if (!settings_.seed_share && is_telling(pilot))
+  if ((!settings_.seed_share || is_of_error()) && is_telling(pilot))
     made.settings.fewest_seeds = std::max(settings_.fewest_seeds, seeds_for(pilot));
   return made;
 }

@@ -42,6 +42,7 @@ class PoolingPlanner {
   double steps() const;
   double most_cost() const;
   bool is_of_time() const;
+  bool is_of_error() const;
   bool has_all_samples_before() const;
   ChainSettings settings_of_chains(const Pilot& pilot, double samples_per_step) const;
   double seed_share(const Pilot& pilot, const Pooling& pooling) const;

@@ -31,7 +31,7 @@ struct RareLight {
 struct ChainsOfImage {
   static constexpr int chains_per_group = 64;
   static constexpr std::uint64_t steps_per_chain = 1 << 10;
-  // Where samples are more than the steps what is left to chains is rare light, and one of few would be brighter than what
+  // Where the pilot chooses more samples than steps what is left to chains is rare light, and one of few would be brighter than what
   // a sample finds.
   static constexpr std::uint64_t steps_per_chain_of_rare_light = 1 << 7;
 };

@@ -239,7 +239,9 @@ FilmEstimate total_film(std::span<const SharedLight> runs, const Constant& const
     return sum;
   };
   const double mass = luminance_of(bins, channels, at);
-  const double factor = constant.b.value * static_cast<double>(bins) / channels / mass;
+  // Chains that have yet to make a step show nothing.
+  const double factor =
+      mass > 0 ? constant.b.value * static_cast<double>(bins) / channels / mass : 0;
   FilmEstimate film{.shape = std::move(shape)};
   for (std::size_t j = 0; j < bins; ++j) film.value.push_back(factor * at(j));
   return film;

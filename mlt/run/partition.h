@@ -77,6 +77,7 @@ struct Pilot {
   // Of each of its chains, l of the states, weighed in the same way; and how many steps it has made.
   std::vector<RatioHistogram> chains{};
   double steps_per_chain = 0;
+  double steps_in_all = 0;  // of each chain, when the pilot ends
   double rays_per_step = wander::rays_per_step;
   // Of the run, its steps for each sample of its seed pass.  None: all samples are of it, one for each 1/ρ steps.
   std::optional<double> steps_per_seed = 0;
@@ -141,8 +142,8 @@ Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost = us
 // the largest before it, from 2¹⁰ b, with which it takes no more.  If there is none it is the best pooling.
 //
 // All this is said of borders without an end, beyond which chains may be caught.  With an end chains have next to nothing
-// of what catches them, and keep what they promise: if the best of these takes a quarter less work than what leaves all that
-// was seen to samples, or no more than two and a half times the work of what does not, then of all with an end and no more
+// of what catches them, and keep what they promise: if what leaves all that was seen to samples takes a quarter more work than the
+// best of these, or this no more than two and a half times the work of what does not, then of all with an end and no more
 // than a quarter above the best that with the widest is taken, whose samples have the fewest fireflies.
 Pooling cautious_pooling(const Pilot& pilot, std::size_t bins, double most_cost = usual_most_cost);
 

@@ -53,6 +53,7 @@ std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, con
   const std::vector<double> together = paths_together(groups, worth, borders, is_over);
   const RatioHistogram states = pilot.states();
   const auto steps = static_cast<std::uint64_t>(pilot.steps_per_chain);
+  const bool is_long = pilot.steps_in_all >= static_cast<double>(steps_of_long_pilot);
   std::vector<Pilot::Border> found;
   for (std::size_t k = 0; k < borders.size(); ++k) {
     found.push_back({.c = borders[k].c, .end = borders[k].end, .together = together[k]});
@@ -66,7 +67,6 @@ std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, con
         second_moment += number * weight * weight / states.count();
       }
     const DepositSpread& spread = spreads[k];
-    const bool is_long = steps >= steps_of_long_pilot;
     const auto variance =
         is_long ? &DepositSpread::Variance::of_all : &DepositSpread::Variance::but_for_one;
     if (is_long) found[k].evenness = std::max(spread.evenness, evenness_of_states(pilot, side));
@@ -99,9 +99,10 @@ RatioHistogram weighed_samples(std::span<const TrialFindings> groups, const BinW
 
 }  // namespace
 
-Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std::uint64_t steps,
+Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, PilotSteps steps,
                const std::function<bool()>& is_over) {
-  Pilot pilot{.steps_per_chain = static_cast<double>(steps)};
+  Pilot pilot{.steps_per_chain = static_cast<double>(steps.so_far),
+              .steps_in_all = static_cast<double>(steps.in_all)};
   for (const TrialFindings& group : groups) {
     pilot.samples += group.log->samples;
     pilot.rays += group.rays;
@@ -113,7 +114,7 @@ Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, std
   }
   if (!worth.is_even()) pilot.weighed = weighed_samples(groups, worth);
   const FilmKind film = worth.is_even() ? FilmKind::curve : FilmKind::image;
-  if (steps > 0)
+  if (steps.so_far > 0)
     pilot.borders = borders_of(groups, worth, pilot, partitions_around(pilot.b(), film), is_over);
   return pilot;
 }

@@ -3,8 +3,8 @@
 //
 // Numbers are whole multiples of 2^-24, in 64 bits, so that their sum is the same in whatever order
 // threads add.  Rounding is to the nearest, wrong by at most 2^-25 a deposit.  A bin is full at 2^39: a
-// deposit is of the order of one, and at most some hundreds (a tint of pure blue has 14; a step of MMLT
-// stands for 1/q_n).
+// deposit is of the order of one, and at most some thousands (a tint of pure blue has 14; a step of MMLT
+// stands for 1/q_n; one of a chain with an even target shows 1/v of light).
 #pragma once
 
 #include <atomic>

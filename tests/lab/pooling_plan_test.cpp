@@ -65,6 +65,39 @@ TEST(PoolingPlan, LeavesWhatIsAskedFor) {
   EXPECT_EQ(chains(plan(rare, SampleBudget{10'000'000}, given), 10'000'000), 64 * 3);
 }
 
+// Nobody knows how many steps that takes: if all samples were made before the chains their error would stay.
+TEST(PoolingPlan, OfAnErrorHasTheSamplesThatAreAskedForBesideItsChains) {
+  ChainSettings asked = usual;
+  asked.seed_share = 0.3;
+  for (const FilmKind film : {FilmKind::curve, FilmKind::image}) {
+    const Pooling made = plan(telling, ErrorBudget{0.01}, asked, film).pooling;
+    EXPECT_EQ(made.samples_per_step, 0.3);
+    EXPECT_GT(made.partition.c, 0);
+  }
+}
+
+double steps_per_chain(const Budget& budget, const ChainSettings& settings,
+                       FilmKind film = FilmKind::curve) {
+  const Session session = session_of(budget);
+  const Run run(session);
+  return PoolingPlanner(run, settings, {film, bins, 10}).steps_per_chain();
+}
+
+// Of an error a run starts one chain of each group, unless more are asked for; it may take as many steps as give each of
+// the most chains the usual number.
+TEST(PoolingPlan, KnowsHowLongItsChainsWillBe) {
+  ChainSettings given = usual;
+  given.chains_per_group = 3;
+  given.steps_per_chain = 0;
+  const double of_each = static_cast<double>(usual.steps_per_chain);
+  EXPECT_EQ(steps_per_chain(ErrorBudget{0.01}, given), of_each);
+  for (const FilmKind film : {FilmKind::curve, FilmKind::image})
+    EXPECT_EQ(steps_per_chain(ErrorBudget{0.01}, usual, film), 4 * of_each);
+  EXPECT_EQ(steps_per_chain(SampleBudget{192'000}, given), 1000);
+  EXPECT_EQ(steps_per_chain(SampleBudget{6'400'000}, usual), 100'000);
+  EXPECT_EQ(steps_per_chain(SampleBudget{6'553'600}, usual, FilmKind::image), 1600);
+}
+
 TEST(PoolingPlan, HasAsManySeedsAsSlicesNeedWhereSamplesGoOn) {
   const PoolingPlan made = plan(telling, SampleBudget{10'000'000});
   EXPECT_EQ(made.seed_share, 0);

@@ -40,7 +40,7 @@ class Groups {
   Pilot::Border border(std::size_t groups = 64) const {
     const auto first = std::span(findings_).first(groups);
     const BinWorth even(std::array{bins}, {});
-    const Pilot pilot = pilot_of(first, even, 0, goes_on);
+    const Pilot pilot = pilot_of(first, even, {}, goes_on);
     Pilot after = pilot;
     after.steps_per_chain = static_cast<double>(steps);
     return borders_of(first, even, after, std::array{Partition{border_}}, goes_on).front();
@@ -85,7 +85,7 @@ TEST(StepsPerDrawOfFilms, IsThatOfDrawsOnFewBins) {
     groups.push_back({&log, 0, {1}});
   }
   const BinWorth even(std::array{2}, {});
-  Pilot pilot = pilot_of(groups, even, 0, goes_on);
+  Pilot pilot = pilot_of(groups, even, {}, goes_on);
   pilot.steps_per_chain = static_cast<double>(steps);
   const Pilot::Border border =
       borders_of(groups, even, pilot, std::array{Partition{1.0}}, goes_on).front();
@@ -183,7 +183,7 @@ TEST(Pilots, ExpectLittleOfLightThatFewChainsKnow) {
 }
 
 // Of sixteen chains one alone has been beyond the border, on a bin of its own; or half of them have, or all on many bins.
-Pilot::Border border_where(std::uint64_t steps, int chains, int bins_of_chain) {
+Pilot::Border border_where(PilotSteps steps, int chains, int bins_of_chain) {
   std::list<TrialLog> logs;
   std::vector<TrialFindings> groups;
   for (int g = 0; g < 16; ++g) {
@@ -197,26 +197,38 @@ Pilot::Border border_where(std::uint64_t steps, int chains, int bins_of_chain) {
     groups.push_back({&log, 0, {1}});
   }
   const BinWorth even(std::array{bins}, {});
-  Pilot pilot = pilot_of(groups, even, 0, goes_on);
-  pilot.steps_per_chain = static_cast<double>(steps);
+  Pilot pilot = pilot_of(groups, even, {}, goes_on);
+  pilot.steps_per_chain = static_cast<double>(steps.so_far);
+  pilot.steps_in_all = static_cast<double>(steps.in_all);
   return borders_of(groups, even, pilot, std::array{Partition{1.0}}, goes_on).front();
 }
-double evenness_of(std::uint64_t steps, int chains, int bins_of_chain) {
+constexpr PilotSteps of_long{steps_of_long_pilot, steps_of_long_pilot},
+    of_short{steps_of_long_pilot - 1, steps_of_long_pilot - 1},
+    early_of_long{steps_of_long_pilot / 4, steps_of_long_pilot};
+double evenness_of(PilotSteps steps, int chains, int bins_of_chain) {
   return border_where(steps, chains, bins_of_chain).evenness;
 }
 
 TEST(Pilots, AskLongChainsHowEvenlyTheyKnowTheHardLight) {
-  EXPECT_LT(evenness_of(steps_of_long_pilot, 1, 1), 0.1);
-  EXPECT_GE(evenness_of(steps_of_long_pilot, 8, 1), 0.5);
-  EXPECT_NEAR(evenness_of(steps_of_long_pilot, 16, bins), 1, 1e-12);
-  EXPECT_EQ(evenness_of(steps_of_long_pilot - 1, 1, 1), 1) << "short";
+  EXPECT_LT(evenness_of(of_long, 1, 1), 0.1);
+  EXPECT_GE(evenness_of(of_long, 8, 1), 0.5);
+  EXPECT_NEAR(evenness_of(of_long, 16, bins), 1, 1e-12);
+  EXPECT_EQ(evenness_of(of_short, 1, 1), 1) << "short";
 }
 
 // Where one alone differs, nothing does but for it.
 TEST(Pilots, CountTheChainThatIsFarthestOffIfItIsLong) {
-  EXPECT_GT(border_where(steps_of_long_pilot, 1, 1).steps_per_draw, 1000);
-  EXPECT_LT(border_where(steps_of_long_pilot - 1, 1, 1).steps_per_draw,
-            border_where(steps_of_long_pilot, 1, 1).steps_per_draw / 10);
+  EXPECT_GT(border_where(of_long, 1, 1).steps_per_draw, 1000);
+  EXPECT_LT(border_where(of_short, 1, 1).steps_per_draw,
+            border_where(of_long, 1, 1).steps_per_draw / 10);
+}
+
+// Or the chain that is farthest off, left out of the early part alone, would show as growth of τ.
+TEST(Pilots, CountItInTheEarlyPartToo) {
+  const Pilot::Border early = border_where(early_of_long, 1, 1),
+                      late = border_where({early_of_long.so_far, early_of_long.so_far}, 1, 1);
+  EXPECT_GT(early.steps_per_draw, 10 * late.steps_per_draw);
+  EXPECT_GT(early.steps_per_draw_of_total, 10 * late.steps_per_draw_of_total);
 }
 
 // Nearly all light lies beyond 100, where no chain was; but beyond 1 half of the states are.
@@ -265,7 +277,7 @@ TEST(Pilots, AddUpWhatTheirGroupsFound) {
   log.states = {{0, 0, 4}, {1, 1, 4}};
   const TrialLog other = log;
   const std::vector<TrialFindings> groups{{&log, 300, {0.25, 0.5}}, {&other, 300, {0.25, 0.5}}};
-  const Pilot pilot = pilot_of(groups, BinWorth(std::array{2}, groups), 0, goes_on);
+  const Pilot pilot = pilot_of(groups, BinWorth(std::array{2}, groups), {}, goes_on);
   EXPECT_EQ(pilot.samples, 100);
   EXPECT_EQ(pilot.rays, 600);
   EXPECT_EQ(pilot.b(), 2 * (4.75 + 5 + 2.5) / 100);
@@ -274,7 +286,7 @@ TEST(Pilots, AddUpWhatTheirGroupsFound) {
   EXPECT_EQ(pilot.states().count(), 1.5);
   EXPECT_TRUE(pilot.borders.empty()) << "no steps";
   const BinWorth worth(std::array{1, 2}, groups);
-  const Pilot of_image = pilot_of(groups, worth, 0, goes_on);
+  const Pilot of_image = pilot_of(groups, worth, {}, goes_on);
   EXPECT_EQ(of_image.b(), pilot.b());
   EXPECT_DOUBLE_EQ(of_image.states().count(), 2 * (0.25 * worth(0) + 0.5 * worth(1)));
   // Without the path that brought most.

@@ -3,10 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <thread>
 #include <vector>
 
 #include "core/rng.h"
+#include "mlt/run/large_pooled_film.h"
 
 namespace wander::test {
 namespace {
@@ -49,6 +51,19 @@ TEST(TotalFilm, DoesNotDependOnTheOrderOfItsDeposits) {
     EXPECT_EQ(forwards[j], backwards[j]) << j;
     EXPECT_EQ(forwards[j], at_once[j]) << j;
   }
+}
+
+// Made before the first step of the chains, as by an interrupt between their seeds and that.
+TEST(TotalFilm, OfChainsThatHaveMadeNoStepIsDark) {
+  const std::array shape{2, 3};
+  constexpr std::size_t bins = 6;
+  const SharedFilms films(shape, 4, 4, {});
+  const TotalFilm total(bins);
+  SharedLight light{&films, 0};
+  light.total = &total;
+  const Constant constant{.b = {.value = 2}};
+  const FilmEstimate film = total_film(std::array{light}, constant, {2, 3});
+  EXPECT_EQ(film.value, std::vector<double>(bins, 0));
 }
 
 }  // namespace
