@@ -11,7 +11,7 @@
 
 #include "tests/tools/command_line.h"
 
-namespace wander::test {
+namespace wander::test::references {
 namespace {
 
 using Citations = std::set<std::string>;
@@ -136,4 +136,4 @@ TEST(References, ControlsOfTheirRule) {
 }
 
 }  // namespace
-}  // namespace wander::test
+}  // namespace wander::test::references
