@@ -16,7 +16,8 @@ TEST_F(MemoryOfLargeRuns, IsBetweenHalfOfWhatTheySayAndTheWhole) {
                                      {"pssmlt", 1'000'000},
                                      {"mmlt", 1'000'000},
                                      {"mmlt", 100, "", 60},
-                                     {"mmlt", 100, "", 300}});
+                                     // A chain begins with its first step: these are 19136.
+                                     {"mmlt", 100, "", 300, "500k"}});
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ struct CaseOfMemory {
   int bins;
   const char* options = "";
   int max_vertices = 4;
+  const char* budget = "50k";
 };
 
 class MemoryOfRuns : public CommandLine {
@@ -33,7 +34,8 @@ class MemoryOfRuns : public CommandLine {
     if (child == 0) {
       fs::current_path(folder);
       const std::string line = std::string("exec '") + WANDER_PROGRAM + "' render film.json -m " +
-                               c.method + " -b 50k -q -t 2 -o run --force " + c.options;
+                               c.method + " -b " + c.budget + " -q -t 2 -o run --force " +
+                               c.options;
       execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
       _exit(127);
     }
