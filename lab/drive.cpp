@@ -27,7 +27,7 @@ constexpr double share_of_error = 0.5;
 
 std::string error_that_stays(double error, double target) {
   return fmt::format(
-      "about {:.2g} % of the film's error stay, above the {:.2g} % that were asked for: no more "
+      "a part of the film's error, about {:.2g} %, stays, above the {:.2g} % asked for: no more "
       "independent samples are made, and mutations do not lessen what these left unknown; make the "
       "run anew with this budget",
       100 * error, 100 * target);
