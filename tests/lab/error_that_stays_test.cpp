@@ -51,7 +51,7 @@ TEST(ErrorThatStays, EndsARun) {
   RunOfFewSamples run(true);
   const Rendering r = to_error(run, 0.9 * of_samples);
   EXPECT_GT(relative_error(r.film), 0.9 * of_samples);
-  EXPECT_LT(run.samples(), 200 * equal);
+  EXPECT_LT(run.samples(), 8 * equal);
   ASSERT_EQ(r.warnings.size(), 1u);
   EXPECT_NE(r.warnings[0].find("about 10 %"), std::string::npos) << r.warnings[0];
   EXPECT_NE(r.warnings[0].find("9 %"), std::string::npos) << r.warnings[0];
