@@ -28,11 +28,11 @@ void LengthFilms::clear() {
   for (auto& film : films_) std::ranges::fill(film, Sum{});
 }
 
-double LengthFilms::of_bin(std::size_t bin) const {
-  Sum all;
+std::vector<double> LengthFilms::by_bin() const {
+  std::vector<Sum> sums(static_cast<std::size_t>(bins_));
   for (const auto& film : films_)
-    if (!film.empty()) all += film[bin];
-  return all.value();
+    for (std::size_t i = 0; i < film.size(); ++i) sums[i] += film[i];
+  return values(sums);
 }
 
 std::vector<double> LengthFilms::by_length() const {

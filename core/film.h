@@ -46,8 +46,8 @@ class LengthFilms {
   bool keeps_any() const { return !films_.empty(); }
   void merge(const LengthFilms& other);
   void clear();
-  // Of a bin, over all lengths.
-  double of_bin(std::size_t bin) const;
+  // Over all lengths, by bin.
+  std::vector<double> by_bin() const;
   // Over the whole film, by number of vertices - 2.
   std::vector<double> by_length() const;
   std::map<int, std::vector<double>> scaled(double factor) const;

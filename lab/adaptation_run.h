@@ -33,14 +33,13 @@ class Windows {
     ++count_;
     for (std::size_t g = 0; g < films_.size(); ++g) {
       double light = 0;
-      for (std::size_t j = 0; j < shares.size(); ++j) light += all_[g]->weight(j);
+      for (const double weight : all_[g]->weights()) light += weight;
       if (!(light > 0)) continue;
       const double windows = count_ / light;
-      for (std::size_t j = 0; j < shares.size(); ++j) {
-        const double now = films_[g]->weight(j);
-        shares[j] = (now - before_[g][j]) * windows;
-        before_[g][j] = now;
-      }
+      std::vector<double> now = films_[g]->weights();
+      for (std::size_t j = 0; j < shares.size(); ++j)
+        shares[j] = (now[j] - before_[g][j]) * windows;
+      before_[g] = std::move(now);
       spread.add(shares);
     }
   }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cmath>
+#include <span>
+#include <vector>
 
 namespace wander {
 
@@ -26,5 +28,12 @@ class Sum {
  private:
   double total_ = 0, lost_ = 0;
 };
+
+inline std::vector<double> values(std::span<const Sum> sums) {
+  std::vector<double> result;
+  result.reserve(sums.size());
+  for (const Sum& sum : sums) result.push_back(sum.value());
+  return result;
+}
 
 }  // namespace wander

@@ -31,9 +31,10 @@ GroupsFilm::GroupsFilm(std::vector<int> resolution)
 
 void GroupsFilm::add(const GroupFilm& film, double b, std::uint64_t steps) {
   const double scale = b * static_cast<double>(film.bins()) / static_cast<double>(steps);
+  const std::vector<double> weights = film.weights();
   ++groups_;
   for (std::size_t i = 0; i < mean_.size(); ++i) {
-    const double value = scale * film.weight(i), delta = value - mean_[i];
+    const double value = scale * weights[i], delta = value - mean_[i];
     mean_[i] += delta / groups_;
     squares_[i] += delta * (value - mean_[i]);
   }

@@ -56,8 +56,9 @@ class GroupFilm {
     else if (total_)
       total_->add(bin, factor_ * weight, colour);
   }
-  double weight(std::size_t bin) const {
-    return lengths_.keeps_any() ? lengths_.of_bin(bin) : weights_[bin].value();
+  // Of all bins, at once: what is kept by length is summed length by length, as it lies in memory.
+  std::vector<double> weights() const {
+    return lengths_.keeps_any() ? lengths_.by_bin() : values(weights_);
   }
   // Of the raster.
   std::size_t bins() const { return raster_.cells(); }

@@ -33,7 +33,7 @@ class RunLight {
     for (std::size_t g = 0; g < groups.size(); ++g) {
       const auto f = static_cast<std::size_t>(run.films->film_of_group(static_cast<int>(g)));
       double light = 0;
-      for (std::size_t k = 0; k < groups[g].film->bins(); ++k) light += groups[g].film->weight(k);
+      for (const double weight : groups[g].film->weights()) light += weight;
       masses_[f] += groups[g].scale / groups[g].weight * light;
       ++members[f];
     }

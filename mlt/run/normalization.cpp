@@ -36,12 +36,6 @@ Constant from_seed_pass(std::span<const GroupFindings> groups) {
   return constant;
 }
 
-std::vector<double> values(std::span<const Sum> sums) {
-  std::vector<double> result;
-  for (const Sum& sum : sums) result.push_back(sum.value());
-  return result;
-}
-
 double degrees_of(const Constant& constant) {
   std::vector<double> deviations;
   for (const double b : constant.without)
@@ -54,8 +48,7 @@ Constant from_least_squares(std::span<const GroupFindings> groups) {
   for (const GroupFindings& group : groups) {
     FilmFitGroup& film = films.emplace_back(FilmFitGroup{
         values(group.evidence->film), static_cast<double>(group.of_seeds->samples), {}});
-    for (std::size_t bin = 0; bin < group.film->bins(); ++bin)
-      film.deposits.push_back(group.scale * group.film->weight(bin));
+    for (const double weight : group.film->weights()) film.deposits.push_back(group.scale * weight);
   }
   FilmFit fit = fit_films(films, groups.front().film->shape());
   if (!fit.failure.empty()) return {.failure = fit.failure};

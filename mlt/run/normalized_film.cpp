@@ -13,8 +13,8 @@ namespace {
 std::vector<std::vector<double>> films_of(std::span<const GroupFindings> groups) {
   std::vector<std::vector<double>> films;
   for (const GroupFindings& group : groups) {
-    auto& film = films.emplace_back(group.film->bins());
-    for (std::size_t j = 0; j < film.size(); ++j) film[j] = group.scale * group.film->weight(j);
+    auto& film = films.emplace_back(group.film->weights());
+    for (double& weight : film) weight *= group.scale;
   }
   return films;
 }

@@ -25,17 +25,19 @@ struct Parts {
   }
 };
 
+double sum(std::span<const double> terms) {
+  double all = 0;
+  for (const double term : terms) all += term;
+  return all;
+}
+
 // E̅ and S̅ of one run.
 class RunMeans {
  public:
   explicit RunMeans(std::span<const GroupFindings> groups) {
     for (const GroupFindings& group : groups) {
       const PooledParts& parts = group.parts.front();
-      double part = 0, whole = 0;
-      for (std::size_t j = 0; j < group.film->bins(); ++j) {
-        part += parts.of_chains().weight(j);
-        whole += group.film->weight(j);
-      }
+      const double part = sum(parts.of_chains().weights()), whole = sum(group.film->weights());
       groups_.push_back({.samples = static_cast<double>(group.seeds->samples),
                          .mass = group.scale * whole,
                          .deposits = {parts.easy_light(), group.scale * part}});
@@ -83,15 +85,17 @@ class RunSums {
  public:
   explicit RunSums(std::span<const GroupFindings> groups)
       : groups_(groups), means_(groups), sums_(groups.front().film->bins()) {
-    for (const GroupFindings& group : groups)
-      for (std::size_t j = 0; j < sums_.size(); ++j) sums_[j] += deposits(group, j);
+    for (const GroupFindings& group : groups) {
+      const std::vector<Parts>& found = deposits_.emplace_back(deposits(group));
+      for (std::size_t j = 0; j < sums_.size(); ++j) sums_[j] += found[j];
+    }
   }
 
   const RunMeans& means() const { return means_; }
   Parts at(std::size_t bin) const { return of_bin(means_.scaled(sums_[bin])); }
   // Without group g.
   Parts at(std::size_t bin, std::size_t g) const {
-    return of_bin(means_.without(g, sums_[bin], deposits(groups_[g], bin)));
+    return of_bin(means_.without(g, sums_[bin], deposits_[g][bin]));
   }
   // Of paths of each length: `samples`, `chains` are what E and S are multiplied by.
   void add_lengths(std::map<int, std::vector<double>>& films, double samples, double chains) const {
@@ -111,9 +115,14 @@ class RunSums {
   }
 
  private:
-  static Parts deposits(const GroupFindings& group, std::size_t bin) {
-    return {group.parts.front().of_samples().weight(bin),
-            group.scale * group.parts.front().of_chains().weight(bin)};
+  static std::vector<Parts> deposits(const GroupFindings& group) {
+    const std::vector<double> of_samples = group.parts.front().of_samples().weights(),
+                              of_chains = group.parts.front().of_chains().weights();
+    std::vector<Parts> all;
+    all.reserve(of_samples.size());
+    for (std::size_t j = 0; j < of_samples.size(); ++j)
+      all.push_back({of_samples[j], group.scale * of_chains[j]});
+    return all;
   }
   // A bin is as many times its share of the film as there are bins.
   Parts of_bin(const Parts& share) const {
@@ -122,7 +131,8 @@ class RunSums {
 
   std::span<const GroupFindings> groups_;
   RunMeans means_;
-  std::vector<Parts> sums_;  // by bin
+  std::vector<Parts> sums_;                   // by bin
+  std::vector<std::vector<Parts>> deposits_;  // by group, and then by bin
 };
 
 // The shares of runs of so many groups.

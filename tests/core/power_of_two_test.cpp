@@ -46,7 +46,7 @@ Trace trace(const description::Scene& description) {
       deposit(space, step, space.bin(step.current), film);
     });
   }
-  for (std::size_t bin = 0; bin < film.bins(); ++bin) trace.film.push_back(film.weight(bin));
+  trace.film = film.weights();
   trace.contribution = chain.current().contribution;
   return trace;
 }

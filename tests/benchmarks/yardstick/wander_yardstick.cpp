@@ -178,8 +178,7 @@ class Yardstick {
 
   Record record_of(const ChainWorker<Flatland>& worker) const {
     Record record(scene_->bins());
-    for (std::size_t bin = 0; bin < record.film.size(); ++bin)
-      record.film[bin] = worker.film().weight(bin);
+    record.film = worker.film().weights();
     for (const MutationRecord& mutation : worker.statistics().records())
       for (std::size_t m = 0; m < names.size(); ++m)
         if (mutation.name == names[m]) {

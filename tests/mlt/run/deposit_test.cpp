@@ -22,7 +22,7 @@ using Flat = Transport<W>;
 
 double total(const GroupFilm& film) {
   double sum = 0;
-  for (std::size_t bin = 0; bin < film.bins(); ++bin) sum += film.weight(bin);
+  for (const double weight : film.weights()) sum += weight;
   return sum;
 }
 
@@ -75,9 +75,9 @@ TEST(GroupFilm, SumsAreThoseOfItsDepositsWithFilmsOfLengthsAndWithout) {
     film.add(7, 5, 8.0);
     film.add(7, 5, 0.5);
     EXPECT_EQ(film.bins(), std::size_t{bins});
-    EXPECT_EQ(film.weight(0), 1);
-    EXPECT_EQ(film.weight(5), 8.5);
-    EXPECT_EQ(film.weight(bins - 1), 6);
+    EXPECT_EQ(film.weights()[0], 1);
+    EXPECT_EQ(film.weights()[5], 8.5);
+    EXPECT_EQ(film.weights()[bins - 1], 6);
     EXPECT_EQ(total(film), 15.5);
     std::vector<double> expected(vertices - 1);
     expected.front() = 3;
@@ -104,8 +104,8 @@ TEST(DepositOfOneStep, IsSharedByTheTwoPathsInProportionToTheAcceptance) {
     for (const double a : {0.0, 0.25, 1.0}) {
       GroupFilm film(scene->bins(), scene->max_vertices());
       deposit(space, Step<W>{x, y, 0, Proposal{1, 1}, a, decision}, bin_x, film);
-      EXPECT_EQ(film.weight(static_cast<std::size_t>(bin_x)), 1 - a);
-      EXPECT_EQ(film.weight(static_cast<std::size_t>(bin_y)), a);
+      EXPECT_EQ(film.weights()[static_cast<std::size_t>(bin_x)], 1 - a);
+      EXPECT_EQ(film.weights()[static_cast<std::size_t>(bin_y)], a);
       EXPECT_EQ(total(film), 1);
       auto lengths = film.lengths().scaled(1);
       const auto in_film_of = [&](int vertices, int bin) {

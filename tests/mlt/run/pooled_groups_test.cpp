@@ -96,11 +96,12 @@ class Trial {
     const auto count = static_cast<double>(bins.size());
     const GroupFilm& hard =
         flaw_ == Flaw::sides_overlap ? *found.film : found.parts.front().of_chains();
+    const std::vector<double> easy = found.parts.front().of_samples().weights(),
+                              of_hard = hard.weights();
     double sum = 0;
     for (std::size_t j = 0; j < bins.size(); ++j) {
-      const double of_chains = scale * hard.weight(j) * factor_of_bin(static_cast<int>(j));
-      const double light =
-          found.parts.front().of_samples().weight(j) / (samples + beside) + of_chains;
+      const double of_chains = scale * of_hard[j] * factor_of_bin(static_cast<int>(j));
+      const double light = easy[j] / (samples + beside) + of_chains;
       bins[j].add(count * light);
       sum += light;
     }
