@@ -91,9 +91,7 @@ class ChainRun final : public LiveRun {
     }
     adapt();
     if (run_.is_interrupted()) return;
-    const Pilot found = pilot.with_chains(
-        kernel(), planner.steps_per_chain(),
-        [&planner](const Pilot& early) { return planner.leaves_image_to_samples(early); });
+    const Pilot found = pilot.with_chains(kernel(), planner.steps_per_chain());
     if (!run_.is_interrupted()) pool(planner.by_chains(found));
   }
   double seed_share() const override { return seed_share_; }

@@ -88,9 +88,8 @@ class PilotRun {
   const Pilot& samples() const { return samples_; }
 
   // And then steps, with a kernel that may have been found since: the samples are the same.
-  // `steps_per_chain`: of the run.  `is_decided(pilot)`: what a quarter of the steps said is enough.
-  template <class IsDecided>
-  Pilot with_chains(double kernel, double steps_per_chain, IsDecided&& is_decided) {
+  // `steps_per_chain`: of the run.
+  Pilot with_chains(double kernel, double steps_per_chain) {
     budget_.go_on();
     if (kernel != kernel_) {
       const CopiedSeeds seeds(*trial_);
@@ -102,8 +101,6 @@ class PilotRun {
     trial_->start(1);
     make_steps(budget_.steps() / 4, share_of_early);
     const Pilot early = found_by(worth);
-    if (const Pilot soon = extrapolated(early, early, steps_per_chain); is_decided(soon))
-      return soon;
     make_steps(budget_.steps(), share_of_all);
     return extrapolated(early, found_by(worth), steps_per_chain);
   }

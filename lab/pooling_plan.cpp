@@ -28,12 +28,6 @@ PoolingPlan PoolingPlanner::by_chains(Pilot pilot) const {
                                           : cautious_pooling(pilot, film_.bins, most_cost()));
 }
 
-bool PoolingPlanner::leaves_image_to_samples(const Pilot& early) const {
-  if (settings_.seed_share || !has_all_samples_before() || early.borders.empty()) return false;
-  const Pooling made = by_chains(early).pooling;
-  return 2 * made.samples_per_step * made.cost_of_sample > most_cost();
-}
-
 double PoolingPlanner::steps_per_chain() const {
   const ChainSettings settings = settings_of_chains({}, 0);
   const auto expected = static_cast<std::uint64_t>(expected_steps(run_).value_or(0));

@@ -34,9 +34,6 @@ class PoolingPlanner {
   // seen may be as bright as a pixel is.
   std::optional<PoolingPlan> by_samples(const Pilot& samples) const;
   PoolingPlan by_chains(Pilot pilot) const;
-  // Chains of few steps promise more than they keep (mlt/run/pilot.h).  Of an image whose film would have next to
-  // nothing of theirs by what they promise, longer ones need not be asked.
-  bool leaves_image_to_samples(const Pilot& early) const;
 
   // As far as it is known before the run.
   double steps_per_chain() const;

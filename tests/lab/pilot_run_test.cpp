@@ -68,9 +68,9 @@ struct Outcome {
 };
 
 // What a pilot finds, if `before_chains` raises what interrupts it, or its first step does.
-template <class BeforeChains, class IsDecided>
+template <class BeforeChains>
 Outcome outcome(std::atomic<bool>& interrupted, std::atomic<bool>* raised_by_step,
-                BeforeChains&& before_chains, IsDecided&& is_decided) {
+                BeforeChains&& before_chains) {
   Session session;
   session.budget = SampleBudget{1'000'000};
   session.threads = 1;
@@ -84,31 +84,8 @@ Outcome outcome(std::atomic<bool>& interrupted, std::atomic<bool>* raised_by_ste
   };
   PilotRun pilot(make, 1, resolution, run);
   before_chains();
-  Pilot found = pilot.with_chains(1, 1000, is_decided);
+  Pilot found = pilot.with_chains(1, 1000);
   return {std::move(found), made->is_started(), made->steps()};
-}
-
-template <class BeforeChains>
-Outcome outcome(std::atomic<bool>& interrupted, std::atomic<bool>* raised_by_step,
-                BeforeChains&& before_chains) {
-  return outcome(interrupted, raised_by_step, before_chains, [](const Pilot&) { return false; });
-}
-
-TEST(PilotRun, EndsWhereAQuarterOfItsStepsIsEnough) {
-  std::atomic<bool> interrupted = false;
-  int asked = 0;
-  const auto is_decided = [&](const Pilot& early) {
-    ++asked;
-    EXPECT_EQ(early.chains.size(), groups);
-    EXPECT_FALSE(early.borders.empty());
-    EXPECT_EQ(early.steps_per_chain, 1000) << "as it will be in the run";
-    return true;
-  };
-  const Outcome early = outcome(
-      interrupted, nullptr, [] {}, is_decided);
-  EXPECT_EQ(asked, 1);
-  EXPECT_EQ(early.steps, 1'000'000 / 32 / 4);
-  EXPECT_EQ(early.pilot.chains.size(), groups);
 }
 
 TEST(PilotRun, TellsWhatItsChainsFound) {

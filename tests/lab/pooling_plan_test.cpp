@@ -165,32 +165,6 @@ TEST(PoolingPlan, OfAnImageHasAllSamplesBeforeItsChains) {
       << "who knows how many";
 }
 
-bool leaves_image_to_samples(const Pilot& early, const Budget& budget,
-                             const ChainSettings& settings = usual,
-                             FilmKind film = FilmKind::image) {
-  const Session session = session_of(budget);
-  const Run run(session);
-  return PoolingPlanner(run, settings, {film, bins, 10}).leaves_image_to_samples(early);
-}
-
-TEST(PoolingPlan, AsksLongChainsUnlessShortOnesPromiseNothing) {
-  const Pilot easy = of_hard_light(0);
-  for (const Budget& budget : {Budget{SampleBudget{10'000'000}}, Budget{TimeBudget{10}}}) {
-    EXPECT_TRUE(leaves_image_to_samples(easy, budget));
-    EXPECT_TRUE(leaves_image_to_samples(of_hard_light(50), budget)) << "chains hardly move";
-    EXPECT_FALSE(leaves_image_to_samples(of_quick_chains(), budget));
-    EXPECT_FALSE(leaves_image_to_samples(easy, budget, usual, FilmKind::curve))
-        << "samples alone decide that";
-    ChainSettings asked = usual;
-    asked.seed_share = 0.5;
-    EXPECT_FALSE(leaves_image_to_samples(easy, budget, asked)) << "is not chosen";
-    Pilot without_steps = easy;
-    without_steps.borders.clear();
-    EXPECT_FALSE(leaves_image_to_samples(without_steps, budget)) << "no chain was asked";
-  }
-  EXPECT_FALSE(leaves_image_to_samples(easy, ErrorBudget{0.01})) << "has all its chains";
-}
-
 TEST(PoolingPlan, OfAnImageHasManyChains) {
   EXPECT_EQ(chains(plan_of_image(rare, SampleBudget{10'000'000}), 10'000'000), 4096);
   EXPECT_EQ(chains(plan_of_image(rare, SampleBudget{100'000}), 100'000), 64);
