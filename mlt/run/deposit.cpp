@@ -18,10 +18,7 @@ int number_of_bins(const std::vector<int>& resolution) {
 }  // namespace
 
 std::vector<double> GroupFilm::by_length() const {
-  if (lengths_.keeps_any()) return lengths_.by_length();
-  std::vector<double> sums;
-  for (const Sum& x : by_length_) sums.push_back(x.value());
-  return sums;
+  return lengths_.keeps_any() ? lengths_.by_length() : values(by_length_);
 }
 
 GroupsFilm::GroupsFilm(std::vector<int> resolution)
