@@ -70,7 +70,7 @@ struct Material {
 };
 
 // Of a channel that is not 0.  Films are kept in single precision, too, with errors far below them.
-inline constexpr double smallest_radiance = 1e-30, largest_radiance = 1e30;
+inline constexpr double smallest_radiance = 1e-36, largest_radiance = 1e36;
 
 // One-sided Lambertian emission, from the side of the normal.
 struct Light {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace wander {
@@ -80,6 +81,28 @@ double TechniqueTally::rare_light(double effective_samples) const {
   for (const Sums& sums : sums_)
     if (sums.sum * sums.sum < effective_samples * sums.squares) light += sums.sum;
   return light;
+}
+
+std::vector<RareTechnique> TechniqueTally::rare(double effective_samples) const {
+  std::vector<RareTechnique> rare;
+  for (int n = 0; n <= longest_; ++n)
+    for (int s = 0; s <= longest_; ++s) {
+      const Sums& sums = sums_[static_cast<std::size_t>(n * (longest_ + 1) + s)];
+      if (sums.sum > 0 && sums.sum * sums.sum < effective_samples * sums.squares)
+        rare.push_back({n, s, sums.sum});
+    }
+  std::ranges::stable_sort(rare, std::greater(), &RareTechnique::light);
+  return rare;
+}
+
+double TechniqueTally::effective_hits() const {
+  Sums hits;
+  for (int n = 3; n <= longest_; ++n) {
+    const Sums& sums = sums_[static_cast<std::size_t>(n * (longest_ + 1))];
+    hits.sum += sums.sum;
+    hits.squares += sums.squares;
+  }
+  return hits.squares > 0 ? hits.sum * hits.sum / hits.squares : 0;
 }
 
 SampleFilm::SampleFilm(int bins, int max_vertices, const FilmLayout& layout)

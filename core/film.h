@@ -62,6 +62,12 @@ class LengthFilms {
   std::vector<std::vector<Sum>> films_;  // by number of vertices - 2; empty until one contributes
 };
 
+// What a technique (n, s) brought to the film, if it was seen seldom.
+struct RareTechnique {
+  int vertices, technique;
+  double light;  // Σ of its contributions
+};
+
 // Film-wide sums of contributions by technique (n, s).
 class TechniqueTally {
  public:
@@ -72,6 +78,10 @@ class TechniqueTally {
   void clear();
   // Σ of the contributions of all techniques that have fewer effective samples than this.
   double rare_light(double effective_samples) const;
+  // Those techniques, the brightest first.
+  std::vector<RareTechnique> rare(double effective_samples) const;
+  // Effective samples of sensor subpaths that met a light by chance, s = 0 of paths of three vertices and more.
+  double effective_hits() const;
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -134,6 +144,7 @@ class SampleFilm {
   void clear();
 
   std::uint64_t samples() const { return samples_; }
+  const TechniqueTally& techniques() const { return techniques_; }
   FilmEstimate estimate(std::span<const int> shape) const;
 
   // Between two samples.

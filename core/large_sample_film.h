@@ -73,6 +73,7 @@ class LargeSampleFilm {
   void merge(const LargeSampleFilm& other);
 
   std::uint64_t samples() const { return samples_; }
+  const TechniqueTally& techniques() const { return techniques_; }
   BinSums sums(std::size_t bin) const { return sums_[bin]; }
   FilmEstimate estimate(std::span<const int> shape) const;
   // Films of paths of each length.

@@ -121,7 +121,12 @@ class ChainRun final : public LiveRun {
     constexpr std::uint64_t usual = 1024;
     return turn_of(usual, space_.max_vertices()) * groups_->active();
   }
-  std::uint64_t first_look() const override { return 1 << 17; }
+  // As dear as it is of chains alone where samples go on beside each step, for they tell the error.
+  std::uint64_t first_look() const override {
+    constexpr double usual = 1 << 17, fewest = 1 << 12;
+    const double samples = pooling_ ? pooling_->samples_per_step : 0;
+    return static_cast<std::uint64_t>(std::max(fewest, usual / (1 + samples)));
+  }
   bool lacks_samples(double error) const override {
     return pooling_ ? !(pooling_->samples_per_step > 0) : seeds().relative_error > error;
   }

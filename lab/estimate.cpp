@@ -40,8 +40,9 @@ std::unique_ptr<LiveRun> make_estimate(const Scene<W>& scene, const Estimator& e
       });
     };
   };
-  return make_sample_run(estimator.name, scene.film_shape(), scene.max_vertices(), layout,
-                         execution, make);
+  const auto mirrors = scene.has_specular() ? estimator.mirrors : LightByMirrors::connected;
+  return make_sample_run({estimator.name, mirrors}, scene.film_shape(), scene.max_vertices(),
+                         layout, execution, make);
 }
 
 template <World W>

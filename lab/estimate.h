@@ -6,6 +6,7 @@
 
 #include "core/film_layout.h"
 #include "core/path_sampler.h"
+#include "lab/sample_doubts.h"
 #include "lab/stage.h"
 
 namespace wander {
@@ -15,10 +16,14 @@ struct Estimator {
   TechniqueSet techniques;
   Roulette roulette;
   Heuristic heuristic;
+  LightByMirrors mirrors = LightByMirrors::connected;
 };
 
-inline constexpr Estimator path_tracing{
-    "pt", {.most_light = 1, .fewest_sensor = 1}, Roulette::by_albedo, Heuristic::power};
+inline constexpr Estimator path_tracing{"pt",
+                                        {.most_light = 1, .fewest_sensor = 1},
+                                        Roulette::by_albedo,
+                                        Heuristic::power,
+                                        LightByMirrors::by_chance};
 inline constexpr Estimator light_tracing{
     "lt", {.fewest_light = 1, .most_sensor = 1}, Roulette::by_albedo, Heuristic::power};
 // [Lafortune and Willems 1993; Veach and Guibas 1995].

@@ -19,8 +19,9 @@ std::string load_warning(double seconds, double processor_seconds, int threads) 
   return fmt::format(
       "the machine was busy: in {} of wall time {} thread{} had only {} of the processor time that "
       "they asked for, so a budget of wall time is no fair measure here; give it in processor "
-      "time (-b 30cpu-s) or in samples (-b 5M), or take fewer threads (-t)",
-      duration_in_words(seconds), threads, threads == 1 ? "" : "s", percent(share));
+      "time (-b 30cpu-s) or in samples (-b 5M){}",
+      duration_in_words(seconds), threads, threads == 1 ? "" : "s", percent(share),
+      threads == 1 ? "" : ", or take fewer threads (-t)");
 }
 
 }  // namespace wander

@@ -259,10 +259,13 @@ std::optional<double> parse_kernel(std::string_view text) {
 }
 
 std::string mutations_help() {
-  std::string text = fmt::format(
-      "auto (the default: all that the scene can use), or relative weights of these: {}=1; with "
-      "parameters after a colon, as in lens=1:angle=1e-5..0.1; these are",
-      fmt::join(mutation_words(), "=1,"));
+  std::string text = "auto (the default: all that the scene can use of";
+  for (const std::string_view word : mutation_words())
+    text += fmt::format(" {}={}", word, auto_weight_of(word));
+  text +=
+      "), or relative weights of some, as in bidirectional=1,lens=2; with parameters after a "
+      "colon, "
+      "as in lens=1:angle=1e-5..0.1; these are";
   for (const std::string_view word : mutation_words())
     for (const ParameterFacts& each : parameters_of(word))
       text += fmt::format(" {}:{}={}{}", word, each.name, each.smallest,

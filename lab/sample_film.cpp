@@ -5,6 +5,7 @@
 #include <cereal/types/vector.hpp>
 #include <limits>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/large_sample_film.h"
@@ -23,11 +24,18 @@ constexpr std::uint64_t samples_per_unit(std::uint64_t bins) {
   return std::max<std::uint64_t>(4096, bins / 4);
 }
 
+template <class Film>
+Rendering rendering_of(const SamplingMethod& method, const Film& film, std::span<const int> shape) {
+  Rendering found{.method = method.name, .samples = film.samples(), .film = film.estimate(shape)};
+  add_doubts(found, film.techniques(), method.mirrors);
+  return found;
+}
+
 // Sums over samples, and their number.
 template <class Film>
 class SampleFindings final : public Findings {
  public:
-  SampleFindings(const char* method, std::vector<int> shape)
+  SampleFindings(const SamplingMethod& method, std::vector<int> shape)
       : method_(method), shape_(std::move(shape)) {}
 
   void add(const Film& film) {
@@ -38,12 +46,10 @@ class SampleFindings final : public Findings {
   }
   // To a film.
   void add_part(const typename Film::Part& part) { film_->merge(part); }
-  Rendering rendering() const override {
-    return {.method = method_, .samples = film_->samples(), .film = film_->estimate(shape_)};
-  }
+  Rendering rendering() const override { return rendering_of(method_, *film_, shape_); }
 
  private:
-  const char* method_;
+  SamplingMethod method_;
   std::vector<int> shape_;
   std::optional<Film> film_;
 };
@@ -61,7 +67,7 @@ double end_of(const Budget& budget) {
 template <class Film>
 class SampleRun final : public LiveRun {
  public:
-  SampleRun(const char* method, std::span<const int> shape, int max_vertices,
+  SampleRun(const SamplingMethod& method, std::span<const int> shape, int max_vertices,
             const FilmLayout& layout, const Run& run, const std::function<FilmSampler()>& make)
       : method_(method),
         run_(run),
@@ -107,7 +113,10 @@ class SampleRun final : public LiveRun {
     return film.estimate(shape_);
   }
   Rendering findings() const override {
-    return {.method = method_, .samples = samples(), .film = preview()};
+    if (!open_) return rendering_of(method_, film_, shape_);
+    Film film = film_;
+    film.merge(*open_);
+    return rendering_of(method_, film, shape_);
   }
   std::unique_ptr<Findings> no_findings() const override {
     return std::make_unique<SampleFindings<Film>>(method_, shape_);
@@ -171,7 +180,7 @@ class SampleRun final : public LiveRun {
     run_in_order(run_, {(end - first - 1) / per_unit + 1, more, work, merge});
   }
 
-  const char* method_;
+  SamplingMethod method_;
   const Run& run_;
   std::vector<int> shape_;
   int max_vertices_;
@@ -184,7 +193,7 @@ class SampleRun final : public LiveRun {
 
 }  // namespace
 
-std::unique_ptr<LiveRun> make_sample_run(const char* method, std::span<const int> shape,
+std::unique_ptr<LiveRun> make_sample_run(const SamplingMethod& method, std::span<const int> shape,
                                          int max_vertices, const FilmLayout& layout,
                                          const Run& execution,
                                          const std::function<FilmSampler()>& make) {

@@ -9,6 +9,7 @@
 #include "core/film.h"
 #include "core/rng.h"
 #include "lab/live_run.h"
+#include "lab/sample_doubts.h"
 #include "work/parallel.h"
 
 namespace wander {
@@ -16,8 +17,17 @@ namespace wander {
 // Makes one sample of the numbers of `rng`; `found` is empty before.
 using FilmSampler = std::function<void(Rng& rng, Contributions& found)>;
 
+// Who samples, and what is known of the light that it may miss.
+struct SamplingMethod {
+  SamplingMethod(const char* name, LightByMirrors mirrors = LightByMirrors::connected)
+      : name(name), mirrors(mirrors) {}
+
+  const char* name;
+  LightByMirrors mirrors;
+};
+
 // Every unit that works at the same time has a sampler of its own, made by `make`.
-std::unique_ptr<LiveRun> make_sample_run(const char* method, std::span<const int> shape,
+std::unique_ptr<LiveRun> make_sample_run(const SamplingMethod& method, std::span<const int> shape,
                                          int max_vertices, const FilmLayout& layout,
                                          const Run& execution,
                                          const std::function<FilmSampler()>& make);

@@ -144,7 +144,7 @@ std::vector<Variation> variations_of(const description::Scene& scene) {
     if (may_be_said(other))
       all.push_back({fmt::format("lengths x 2^{}", exponent), 1, std::move(other)});
   }
-  for (const int exponent : {near, -near, 3 * near, -3 * near}) {
+  for (const int exponent : {near, -near, far, -far}) {
     const double factor = std::ldexp(1.0, exponent);
     if (all_radiances(scene, [&](double channel) {
           return channel * factor <= description::largest_radiance &&

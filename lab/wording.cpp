@@ -28,6 +28,19 @@ std::string duration_in_words(double seconds) {
   return fmt::format("{:.0f} h {:.0f} min", hours, minutes - 60 * hours);
 }
 
+std::string steps_in_words(std::uint64_t mutations, std::uint64_t samples) {
+  std::string text = count_in_words(static_cast<double>(mutations)) + " mutations";
+  if (samples > 0)
+    text += fmt::format(", {} samples", count_in_words(static_cast<double>(samples)));
+  return text;
+}
+
+std::string work_in_words(const Rendering& rendering) {
+  if (rendering.chains > 0)
+    return steps_in_words(rendering.samples, rendering.pooling ? rendering.pooling->samples : 0);
+  return count_in_words(static_cast<double>(rendering.samples)) + " samples";
+}
+
 std::string percent(double share) {
   return std::isfinite(share) ? number_text(100 * share) + " %" : "unknown";
 }

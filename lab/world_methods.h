@@ -82,9 +82,11 @@ class WorldMethods {
         fmt::format("no light path was found, so the film is zero; {}", where_light_is_lost));
   }
 
+  // How much of the light is missing from a bin nobody knows: none is reliable.
   void warn_if_blind(Rendering& rendering) const {
     const std::string_view why = job_.method().why_blind(job_.scene());
     if (why.empty()) return;
+    rendering.film.reliable.assign(rendering.film.reliable.size(), false);
     const auto better = methods_that([&](const Method& method) {
       return method.check != CheckRole::none && method.sees_all_light(job_.scene());
     });

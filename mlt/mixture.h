@@ -37,9 +37,10 @@ class Mixture {
   Selected propose(const Space& space, const Path<typename Space::Universe>& x,
                    Path<typename Space::Universe>& y, Random& random) const {
     const auto selection = probabilities(space, x);
+    // Where nothing is applicable, one that was asked for is told, as often as its weight says.
+    if (selection == std::array<double, count>{})
+      return {random.choose(normalized(weights_)), Failure{Reason::not_applicable}};
     const int selected = random.choose(selection);
-    if (!(selection[static_cast<std::size_t>(selected)] > 0))
-      return {selected, Failure{Reason::not_applicable}};
     const auto index = static_cast<std::size_t>(selected);
     Proposed proposed =
         dispatch(index, [&](const auto& m) { return m.propose(space, x, y, random); });
@@ -78,14 +79,18 @@ class Mixture {
        ...);
     }
     (std::index_sequence_for<Mutations...>{});
+    return normalized(s);
+  }
+
+ private:
+  // All zero where they are.
+  static std::array<double, count> normalized(std::array<double, count> s) {
     double total = 0;
     for (const double p : s) total += p;
     if (total > 0)
       for (double& p : s) p /= total;
     return s;
   }
-
- private:
   // Calls f with the mutation of that index.
   template <class F>
   Proposed dispatch(std::size_t index, F&& f) const {

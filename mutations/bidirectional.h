@@ -1,4 +1,4 @@
-// The bidirectional mutation [Veach and Guibas 1997, 5.3.1; Veach 1997, 11.4.1].
+// The bidirectional mutation [Veach and Guibas 1997, 5.3.1; Veach 1997, 11.4].
 //
 // Keeps L vertices at the light's end and M at the sensor's, deletes the d between them, samples
 // l' + m' = a new ones from the two kept ends and connects.  The label (L, M, a) is part of the

@@ -98,6 +98,14 @@ std::vector<std::string_view> mutation_words() {
   return words;
 }
 
+double auto_weight_of(std::string_view word) {
+  double weight = 0;
+  for_each_mutation(family, [&]<class M>() {
+    if (traits<M>.word == word) weight = traits<M>.auto_weight;
+  });
+  return weight;
+}
+
 std::vector<ParameterFacts> parameters_of(std::string_view word) {
   std::vector<ParameterFacts> facts;
   for_each_mutation(family, [&]<class M>() {

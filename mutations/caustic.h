@@ -1,4 +1,4 @@
-// The caustic perturbation [Veach and Guibas 1997, 5.3.3; Veach 1997, 11.4.3]: the lens
+// The caustic perturbation [Veach and Guibas 1997, 5.3.2; Veach 1997, 11.4]: the lens
 // perturbation seen from the other end.
 //
 // For paths … a S* d E: the direction at a, the last vertex but d that is not specular, turns

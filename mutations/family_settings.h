@@ -14,6 +14,8 @@ namespace wander {
 
 // The words of --mutations, each once.
 std::vector<std::string_view> mutation_words();
+// The weight of such a word where none is asked for.
+double auto_weight_of(std::string_view word);
 
 // A parameter of a mutation as people read it; `smallest` and `largest` are the usual ones, the
 // same number twice where it is no range.

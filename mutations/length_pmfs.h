@@ -1,4 +1,4 @@
-// How many vertices the bidirectional mutation deletes and adds [Veach 1997, 11.4.1], as tables: a
+// How many vertices the bidirectional mutation deletes and adds [Veach 1997, 11.4], as tables: a
 // mutation asks six times.
 #pragma once
 

@@ -1,4 +1,4 @@
-// The lens perturbation [Veach and Guibas 1997, 5.3.2; Veach 1997, 11.4.2].
+// The lens perturbation [Veach and Guibas 1997, 5.3.2; Veach 1997, 11.4].
 //
 // For paths … z d S* E: the sensor's end moves (its point on a finite sensor or lens, and its
 // direction, or the point of a camera's film), the specular chain S* is followed to the first

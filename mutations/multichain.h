@@ -1,4 +1,4 @@
-// The multi-chain perturbation [Veach and Guibas 1997, 5.3.4; Veach 1997, 11.4.4]: for paths on
+// The multi-chain perturbation [Veach and Guibas 1997, 5.3.2; Veach 1997, 11.4]: for paths on
 // which specular chains follow each other, such as L S D S E.
 //
 // It starts as the lens perturbation does, E S* d; as long as the next vertex towards the light is

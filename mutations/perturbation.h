@@ -1,5 +1,5 @@
-// A stretch of a path moved a little [Veach and Guibas 1997, 5.3.2-5.3.4; Veach
-// 1997, 11.4.2-11.4.4]: what the lens, caustic and multi-chain perturbations have in common.
+// A stretch of a path moved a little [Veach and Guibas 1997, 5.3.2; Veach 1997, 11.4]: what the
+// lens, caustic and multi-chain perturbations have in common.
 //
 // The stretch begins at a vertex `first`, goes toward the sensor or the light, and ends at `last`.
 //   at an end of the path   the point moves on its surface by d, and the direction turns

@@ -29,6 +29,7 @@ class Sum {
   double total_ = 0, lost_ = 0;
 };
 
+// What each of them is.
 inline std::vector<double> values(std::span<const Sum> sums) {
   std::vector<double> result;
   result.reserve(sums.size());

@@ -133,10 +133,10 @@ void add_check(CLI::App& app, Global& global) {
   verb.footer(
       "\nEach mutation, and their mixture, starts from weighted independent paths and makes 1 and "
       "20\nsteps; films are compared bin by bin, those of images with 16 pixels along the longer "
-      "side.\nExit code 4 when a test fails, and when none could be made; what could not be tested "
-      "is\nlisted with the reason.  \"2 % would show\": an error of 2 %, of what is compared, "
-      "would be "
-      "seen\nwith a probability of 99 % by half of the comparisons of the sharpest test.\n\n"
+      "side.\nExit code 4 when a test fails, and when none could be made, 1 when no light path is "
+      "found;\nwhat could not be tested is listed with the reason.  \"2 % would show\": an error of 2 %,"
+      "\nof what is compared, would be seen with a probability of 99 % by half of the comparisons "
+      "of the\nsharpest test.\n\n"
       "Example:\n  wander check scene.json --samples 1M");
   examine_with(verb, global, [options, &global](Examination& examination) {
     examine(*options, global, examination);

@@ -59,14 +59,16 @@ std::string reason_untested(const InvarianceReport& r) {
     return fmt::format("it could act on {} paths, and none of its proposals could be accepted",
                        r.acted);
   return fmt::format(
-      "it moved {} of {} paths, too few to decide anything; a larger --samples may help", r.moved,
-      r.starts);
+      "it moved {} of {} paths, which is not {} of equal weight in any comparison; a larger "
+      "--samples may help",
+      r.moved, r.starts, fewest_contributions);
 }
 
 // How large an error would have been seen.
 std::string sight(double visible) {
-  return std::isfinite(visible) ? fmt::format("; {} % would show", number_text(100 * visible, 2))
-                                : std::string();
+  if (!std::isfinite(visible)) return "";
+  return fmt::format("; {} % would show{}", number_text(100 * visible, 2),
+                     visible > 1 ? ", no less: a larger --samples sees more" : "");
 }
 
 std::string words_of(const KernelCheck& check, int steps, std::uint64_t samples) {

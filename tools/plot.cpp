@@ -287,7 +287,7 @@ error; beside an image that is held against another, the --reference or the seco
 their difference in units of the standard error of both.  Scenes in space are drawn as the outline
 that their camera has of them, with what is hidden.  Of a comparison the error is drawn against time, with the times from which on one contender is ahead of another.  Of a trajectory the first
 steps are drawn one by one: the current path black, accepted proposals solid, rejected ones dashed,
-failed ones dotted as far as they came; moves too small to be seen are enlarged.
+failed ones dotted as far as they came; in the plane, moves too small to be seen are enlarged.
 The fluence is the integral of radiance over all directions, in W/m; the image has it as channel Y,
 with standard_error.Y.
 In space the paths are drawn over the outline of the scene, or over an image of it, which is then the

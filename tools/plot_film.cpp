@@ -20,7 +20,8 @@ void require_same_axes(const Film& film, const Film& first) {
   const figure::FilmAxes a = film.axes(), b = first.axes();
   const double difference = std::abs(a.extent.high - b.extent.high);
   if (a.value.name != b.value.name || difference > 1e-9 * b.extent.high)
-    throw UsageError(fmt::format("{} and {} have different sensors", film.path, first.path));
+    throw UsageError(fmt::format("{} and {} have different sensors; plot each by itself", film.path,
+                                 first.path));
 }
 
 // "run" for run, run/, run/run.json and the films in it.

@@ -49,14 +49,14 @@ std::vector<Functional> functionals_of(const Trajectory& trajectory) {
 
 struct Curves {
   std::string_view name;
-  std::vector<std::vector<double>> chains;
-  std::vector<double> mean;  // of those that move
+  std::vector<std::vector<double>> chains{};
+  std::vector<double> together{};
   std::size_t constant = 0;  // chains that do not
   double time = 0;           // integrated autocorrelation time, in draws; NaN if it cannot be told
 };
 
 Curves curves_of(const Steps& steps, const Functional& functional, int lags) {
-  Curves curves{functional.name, {}, std::vector<double>(static_cast<std::size_t>(lags) + 1), 0, 0};
+  Curves curves{.name = functional.name};
   Draws draws{steps.chains().size(), static_cast<std::size_t>(steps.draws()), {}};
   std::vector<double> x(static_cast<std::size_t>(steps.draws()));
   for (const int chain : steps.chains()) {
@@ -69,18 +69,19 @@ Curves curves_of(const Steps& steps, const Functional& functional, int lags) {
       ++curves.constant;
       continue;
     }
-    std::ranges::transform(rho, curves.mean, curves.mean.begin(), std::plus());
     curves.chains.push_back(std::move(rho));
   }
-  for (double& rho : curves.mean) rho /= static_cast<double>(curves.chains.size());
+  curves.together = combined_autocorrelation(draws, static_cast<std::size_t>(lags));
   curves.time = autocorrelation_time(draws);
   return curves;
 }
 
 double lowest(const std::vector<Curves>& all) {
   double low = -0.2;
-  for (const Curves& curves : all)
+  for (const Curves& curves : all) {
     for (const auto& chain : curves.chains) low = std::min(low, *std::ranges::min_element(chain));
+    for (const double rho : curves.together) low = std::min(low, rho);
+  }
   return low;
 }
 
@@ -114,7 +115,8 @@ void draw_panel(Svg& svg, const Curves& curves, const LinearScale& x, const Line
            {{"stroke", style::neutral.colour}, {"stroke-width", 0.5}});
   for (const auto& chain : curves.chains)
     draw_curve(svg, chain, x, y, "chain", thin, style::accepted.colour);
-  if (!curves.chains.empty()) draw_curve(svg, curves.mean, x, y, "mean", thick, style::ink);
+  if (!curves.together.empty())
+    draw_curve(svg, curves.together, x, y, "together", thick, style::ink);
   svg.text({(x.page.low + x.page.high) / 2, y.page.high - 4}, title(curves),
            {.size = style::small_size, .anchor = "middle"});
   if (const std::string text = note(curves); !text.empty())
@@ -164,7 +166,8 @@ Block autocorrelation_chart(const Steps& steps, double width) {
   const std::size_t columns = width_of(all.size()) >= least_panel_width ? all.size() : 1;
   const double row_height = header + panel_height + bottom_axis_height;
   return {
-      fmt::format("Autocorrelation, {}; thin: each chain, thick: their mean; τ: integrated time",
+      fmt::format("Autocorrelation, {}; thin: each chain about its own mean, thick: all together, "
+                  "of which τ is the integrated time",
                   in_words(steps)),
       row_height * static_cast<double>(all.size() / columns), [=](Svg& svg, Vector top_left) {
         const double across = width_of(columns);

@@ -1,5 +1,6 @@
 // The autocorrelation function of the position on the sensor, of log f and of the number of
-// vertices: a thin line for each chain and a thick one for their mean.
+// vertices: a thin line for each chain about its own mean, and a thick one for all together, which stays high where
+// chains are apart.
 #pragma once
 
 #include <span>

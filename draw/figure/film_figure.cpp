@@ -62,10 +62,8 @@ Content prepare(const std::vector<LabelledFilm>& films, const FilmFigureOptions&
 std::string summary(const LabelledFilm& film) {
   const Rendering& run = film.rendering;
   const std::string work =
-      run.samples > 0
-          ? fmt::format("{} samples, {}, ", count_in_words(static_cast<double>(run.samples)),
-                        duration_in_words(run.seconds))
-          : "";  // as of an exact film
+      run.samples > 0 ? fmt::format("{}, {}, ", work_in_words(run), duration_in_words(run.seconds))
+                      : "";  // as of an exact film
   std::string text =
       fmt::format("{}: {}error {}", film.label, work, percent(relative_error(run.film)));
   return run.complete ? text : text + ", interrupted";

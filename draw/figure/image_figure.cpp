@@ -42,8 +42,7 @@ std::vector<Row> rows_of(const std::vector<LabelledFilm>& images,
 std::vector<std::string> words_of(const LabelledFilm& image) {
   const Rendering& run = image.rendering;
   std::string work = extent_in_words(run.film.shape);
-  if (run.samples > 0)
-    work += fmt::format(", {} samples", count_in_words(static_cast<double>(run.samples)));
+  if (run.samples > 0) work += ", " + work_in_words(run);
   if (std::isfinite(run.seconds) && run.seconds > 0)
     work += fmt::format(" in {}", duration_in_words(run.seconds));
   if (!run.complete) work += ", interrupted";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "draw/figure/embedded_image.h"
 #include "draw/figure/style.h"
@@ -22,6 +23,11 @@ std::vector<std::string> lines_of(const ImagePanel& panel, double width) {
     for (std::string& line : wrapped(text, style::small_size * style::bold_width, width))
       lines.push_back(std::move(line));
   return lines;
+}
+
+// Of the scale: no wider than the scale is.
+std::vector<std::string> title_lines(const Axis& axis) {
+  return wrapped(axis.title, style::label_size, axis.scale.page.width());
 }
 
 void draw_words(Svg& svg, const ImagePanel& panel, Vector top_left, double width) {
@@ -54,7 +60,12 @@ void draw_bar(Svg& svg, const ImagePanel& panel, Vector top_left, double width) 
   draw_frame(svg, top_left, size);
   const Axis axis = panel.axis({top_left.x, top_left.x + width});
   draw_bottom_axis(svg, axis, top_left.y + bar_height);
-  draw_bottom_title(svg, axis, top_left.y + bar_height);
+  Axis titled = axis;
+  for (double y = top_left.y + bar_height; std::string & line : title_lines(axis)) {
+    titled.title = std::move(line);
+    draw_bottom_title(svg, titled, y);
+    y += line_height;
+  }
 }
 
 }  // namespace
@@ -93,12 +104,13 @@ std::vector<std::uint8_t> scale_of(const ColourMap& colours) {
 
 double PanelSize::height() const {
   return line_height * static_cast<double>(lines) + words_gap + image.y + bar_gap + bar_height +
-         bottom_axis_height;
+         bottom_axis_height + line_height * static_cast<double>(title_lines - 1);
 }
 
 PanelSize panel_size(const ImagePanel& panel, double width, double most_height) {
   const double height = std::min(width * panel.aspect, most_height);
-  return {{height / panel.aspect, height}, lines_of(panel, width).size()};
+  const Vector image{height / panel.aspect, height};
+  return {image, lines_of(panel, width).size(), title_lines(panel.axis({0, image.x})).size()};
 }
 
 void draw_panel(Svg& svg, const ImagePanel& panel, const PanelSize& size, Vector top_left,
@@ -119,7 +131,7 @@ Block panel_row(ImagePanel left, ImagePanel right, double page_width) {
   PanelSize of_left = panel_size(left, width, most_height),
             of_right = panel_size(right, width, most_height);
   of_left.lines = of_right.lines = std::max(of_left.lines, of_right.lines);
-  return {"", of_left.height(),
+  return {"", std::max(of_left.height(), of_right.height()),
           [=, left = std::move(left), right = std::move(right)](Svg& svg, Vector top_left) {
             top_left.x += inset;
             draw_panel(svg, left, of_left, top_left, width);

@@ -33,7 +33,8 @@ std::vector<std::uint8_t> scale_of(const ColourMap& colours);
 
 struct PanelSize {
   Vector image;
-  std::size_t lines = 0;  // of words
+  std::size_t lines = 0;        // of words
+  std::size_t title_lines = 1;  // of the scale's title
 
   double height() const;
 };

@@ -46,7 +46,7 @@ figure::PixelMap error_map(const Films& runs, const FilmEstimate& reference) {
         square -= squared(reference.standard_error[i] / unit);
       size += squared(reference.value[i] / unit) + squared(0.01);
     }
-    map.values[p] = std::sqrt(std::max(square, 0.) / size);
+    if (square > 0) map.values[p] = std::sqrt(square / size);  // else less than the reference knows
   }
   return map;
 }

@@ -126,6 +126,14 @@ std::string error_samples_figure(const Comparison& comparison) {
                         "Error against samples", spoken(comparison));
 }
 
+std::vector<double> times_shown(const Comparison& comparison, const compare::Profile& profile) {
+  const double least = shortest_run(comparison, profile.contender);
+  std::vector<double> times;
+  for (const double seconds : profile.seconds)
+    if (std::isfinite(seconds)) times.push_back(std::max(seconds, least));
+  return times;
+}
+
 std::string profile_figure(const Comparison& comparison) {
   figure::ChartPanel panel{
       .empty_note = fmt::format(
@@ -133,11 +141,10 @@ std::string profile_figure(const Comparison& comparison) {
   const double measured = longest_of_all(comparison);
   double longest = measured, shortest = INFINITY;
   for (const compare::Profile& profile : comparison.profiles)
-    for (const double seconds : profile.seconds)
-      if (std::isfinite(seconds) && seconds > 0) {
-        longest = std::max(longest, seconds);
-        shortest = std::min(shortest, seconds);
-      }
+    for (const double seconds : times_shown(comparison, profile)) {
+      longest = std::max(longest, seconds);
+      shortest = std::min(shortest, seconds);
+    }
   const double first = std::min(shortest, measured);
   const figure::Range range =
       longest > 0 ? figure::Range{first / 3, longest * 3} : figure::Range{0.1, 10};
@@ -146,10 +153,8 @@ std::string profile_figure(const Comparison& comparison) {
                           .look = figure::look_of(profile.contender),
                           .connection = figure::Connection::distribution,
                           .measured_to = longest_run(comparison, profile.contender)};
-    for (std::size_t k = 0; k < profile.seconds.size(); ++k)
-      if (std::isfinite(profile.seconds[k]))
-        series.points.push_back(
-            {.x = std::max(profile.seconds[k], range.low), .y = 100 * profile.share[k]});
+    for (std::size_t k = 0; const double seconds : times_shown(comparison, profile))
+      series.points.push_back({.x = seconds, .y = 100 * profile.share[k++]});
     panel.series.push_back(std::move(series));
   }
   std::vector<figure::Guide> guides;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "draw/figure/style.h"
 #include "lab/compare/comparison.h"
@@ -15,6 +16,10 @@ std::string error_time_figure(const compare::Comparison& comparison, const std::
                               double width = figure::style::page_width);
 std::string error_samples_figure(const compare::Comparison& comparison);
 
+// Ascending, when a replicate comes to the target, of those that do.  Of what the shortest run has
+// already reached no more is known than that its time is enough.
+std::vector<double> times_shown(const compare::Comparison& comparison,
+                                const compare::Profile& profile);
 // The share of replicates that reach the target within a time [Dolan and Moré 2002].
 std::string profile_figure(const compare::Comparison& comparison);
 

@@ -125,7 +125,9 @@ void write_profile(Html& html, const Subject& subject) {
   write_figure(
       html, profile_figure(subject.comparison),
       fmt::format("The share of replicates whose error has come down to {} within a time: "
-                  "farther left is faster, and a steep rise means that seeds agree. Dotted, with "
+                  "farther left is faster, and a steep rise means that seeds agree. What the "
+                  "shortest run of a contender has already reached stands at its time, and may "
+                  "have been there earlier. Dotted, with "
                   "open marks, is what is extrapolated beyond the longest run of a contender, up "
                   "to {} times that run. A curve that stays below 100 % belongs to a contender of "
                   "which some replicates do not come there.",

@@ -67,8 +67,10 @@ std::string frames_of(const std::vector<Crop>& crops, double width) {
 std::string words_of(const Pictures& pictures, const ContenderImage& image,
                      const compare::Yardstick& yardstick) {
   const compare::RunErrors errors = errors_of(image.run.film, yardstick);
-  return fmt::format(": {} samples in {}; relMSE {}, RMSE {}, MAE {}",
-                     count_in_words(static_cast<double>(image.run.samples)),
+  return fmt::format(": {} in {}; relMSE {}, RMSE {}, MAE {}",
+                     image.run.seed_samples > 0
+                         ? steps_in_words(image.run.samples, image.run.seed_samples)
+                         : count_in_words(static_cast<double>(image.run.samples)) + " samples",
                      duration_in_words(image.run.time(pictures.subject.runs().time)),
                      rounded(errors.rel_mse), rounded(errors.rmse), rounded(errors.mae));
 }
@@ -185,7 +187,8 @@ void write_maps(Html& html, const Pictures& pictures) {
         &image != &pictures.images.front()
             ? fmt::format("The same of {}.", pictures.label(image))
             : "Left, the error of a pixel of one run, relative to the reference, on one scale for "
-              "all contenders: bright is where the time goes. Right, the mean of all replicates "
+              "all contenders: bright is where the time goes, grey where the reference knows no "
+              "more than the run. Right, the mean of all replicates "
               "less the reference, in units of what they let expect: without structure, and mostly "
               "within ±2 (with few replicates ±3), where a contender is right; a patch of one "
               "colour is light that all its runs miss or have too much of.",

@@ -56,14 +56,18 @@ double quantile(const std::vector<double>& ascending, double share) {
   return ascending[static_cast<std::size_t>(share * static_cast<double>(ascending.size() - 1))];
 }
 
-// Few values, such as fireflies, may lie beyond the axis; it is logarithmic where a peak would
+// Few values, such as fireflies, may lie beyond the axis, if they lie far beyond; it is logarithmic where a peak would
 // press all the rest to the ground.
 figure::Dimension value_dimension(const Subject& subject) {
-  constexpr double beyond = 0.003, steep = 20, most_range = 1e4;
+  constexpr double beyond = 0.003, steep = 20, most_range = 1e4, far = 2;
   figure::Dimension dimension{.quantity = figure::film_axes(subject.scene).value};
   std::vector<double> values = drawn_values(subject);
   if (values.empty()) return dimension;
-  const double low = quantile(values, beyond), high = quantile(values, 1 - beyond);
+  double low = quantile(values, beyond), high = quantile(values, 1 - beyond);
+  if (values.back() - values.front() <= far * (high - low)) {
+    low = values.front();
+    high = values.back();
+  }
   std::erase_if(values, [](double value) { return !(value > 0); });
   if (!values.empty() && high > steep * quantile(values, 0.5)) {
     dimension.spacing = figure::Spacing::logarithmic;
@@ -77,6 +81,15 @@ figure::Dimension value_dimension(const Subject& subject) {
   return dimension;
 }
 
+// Of the lit ones.
+std::size_t values_outside(const Subject& subject, const std::optional<figure::Range>& axis) {
+  if (!axis) return 0;
+  const std::vector<double> values = drawn_values(subject);
+  return static_cast<std::size_t>(std::ranges::count_if(values, [&](double value) {
+    return value > axis->high || (value > 0 && value < axis->low);
+  }));
+}
+
 void write_seeds(Html& html, const Subject& subject) {
   std::size_t lines = 0;
   for (std::size_t k = 0; k < subject.contenders(); ++k) lines += subject.replicates(k).size() + 1;
@@ -84,6 +97,7 @@ void write_seeds(Html& html, const Subject& subject) {
       std::clamp<std::size_t>(most_points / std::max<std::size_t>(1, lines), 40, most_spread_steps);
   figure::Chart chart{
       .x = film_dimension(subject), .y = value_dimension(subject), .panel_height = 70};
+  const std::size_t outside = values_outside(subject, chart.y.range);
   for (std::size_t k = 0; k < subject.contenders(); ++k)
     chart.panels.push_back(seeds_panel(subject, k, steps));
   write_panels(html, chart, "All replicates at the last budget",
@@ -93,7 +107,8 @@ void write_seeds(Html& html, const Subject& subject) {
                "bias; one line apart from the rest is a run that has missed something." +
                    std::string(chart.y.spacing == figure::Spacing::logarithmic
                                    ? " The axis is logarithmic, and what is dark is left out."
-                                   : ""));
+                                   : "") +
+                   (outside > 0 ? fmt::format(" Beyond the axis are {} values.", outside) : ""));
 }
 
 // Replicates that happen to agree in a bin have a ratio near zero, which nobody needs to see.

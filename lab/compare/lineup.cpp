@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <utility>
 
 #include "lab/failure.h"
@@ -22,16 +23,29 @@ std::pair<const Dial*, std::string_view> dial_in(std::string_view option, std::s
   return {&dial, text.substr(equals + 1)};
 }
 
+// Tells what is refused of a dial by its word: its option is one of other verbs.
+template <class Work>
+void by_word(std::string_view option, const Dial& dial, Work&& work) {
+  try {
+    work();
+  } catch (const UsageError& refused) {
+    std::string why = refused.what();
+    boost::replace_all(why, dial.option(), dial.word);
+    throw UsageError(fmt::format("{}: {}", option, why));
+  }
+}
+
 // A value that the dial does not take is found when the command line is read.
-std::string checked(const Dial& dial, std::string_view value) {
+std::string checked(std::string_view option, const Dial& dial, std::string_view value) {
   Dials scratch;
-  dial.set(scratch, value);
+  by_word(option, dial, [&] { dial.set(scratch, value); });
   return std::string(value);
 }
 
-void require_of_some(const Dial& dial, std::span<const Method* const> methods) {
+void require_of_some(std::string_view option, const Dial& dial,
+                     std::span<const Method* const> methods) {
   if (std::ranges::none_of(methods, [&](const Method* m) { return dial.is_of(*m); }))
-    require_dial(dial, *methods.front());
+    by_word(option, dial, [&] { require_dial(dial, *methods.front()); });
 }
 
 // A later one would undo the earlier.
@@ -148,7 +162,7 @@ std::vector<const Method*> parse_methods(std::string_view text) {
 
 Setting parse_setting(std::string_view text) {
   const auto [dial, value] = dial_in("--dial", "VALUE", text);
-  return {dial, checked(*dial, value)};
+  return {dial, checked("--dial", *dial, value)};
 }
 
 Sweep parse_sweep(std::string_view text) {
@@ -157,15 +171,15 @@ Sweep parse_sweep(std::string_view text) {
   if (values.ends_with(';')) values.remove_suffix(1);
   Sweep sweep{dial, {}};
   for (const std::string_view value : split(values, holds_commas ? ';' : ','))
-    sweep.values.push_back(checked(*dial, value));
+    sweep.values.push_back(checked("--sweep", *dial, value));
   return sweep;
 }
 
 std::vector<Entrant> line_up(std::span<const Method* const> methods, std::span<const Setting> fixed,
                              std::span<const Sweep> sweeps, std::optional<int> max_vertices) {
   require_once_each(fixed);
-  for (const Setting& setting : fixed) require_of_some(*setting.dial, methods);
-  for (const Sweep& sweep : sweeps) require_of_some(*sweep.dial, methods);
+  for (const Setting& setting : fixed) require_of_some("--dial", *setting.dial, methods);
+  for (const Sweep& sweep : sweeps) require_of_some("--sweep", *sweep.dial, methods);
   Lineup lineup(max_vertices);
   for (const Method* method : methods) {
     std::vector<Sweep> own(sweeps.begin(), sweeps.end());

@@ -36,6 +36,11 @@ std::string range_of_time(const Interval& seconds) {
   return std::isnan(seconds.high) ? "" : range({not_known, seconds.high}, 1);
 }
 
+// Unknown ends stay so.
+Measured inverse(const Measured& ratio) {
+  return {1 / ratio.value, {1 / ratio.interval.high, 1 / ratio.interval.low}};
+}
+
 // The budgets are samples, and equal samples are not equal time.
 bool counts_samples(const std::string& budget) { return !budget.ends_with('s'); }
 
@@ -95,7 +100,9 @@ std::string Words::since(const Crossing& c) const {
 
 std::string Words::standing(const Crossing& c) const {
   if (!c.significant) return fmt::format("Which of {} is ahead cannot be told", pair(c));
-  return fmt::format("{} is ahead of {}{}", label(c.ahead), label(c.behind), since(c));
+  std::string when = since(c);  // in time, where it is ahead by that
+  if (when.empty() && counts_samples(budget())) when = " at equal samples";
+  return fmt::format("{} is ahead of {}{}", label(c.ahead), label(c.behind), when);
 }
 
 std::string Words::headline() const {
@@ -155,12 +162,16 @@ std::string Words::of_equal_time() const {
   if (!counts_samples(budget()) || all_.crossings.empty()) return "";
   const Crossing& first = all_.crossings.front();
   if (std::isnan(first.efficiency.value)) return "";
+  const bool turned = first.efficiency.interval.high < 1;
+  const std::size_t better = turned ? first.behind : first.ahead,
+                    other = turned ? first.ahead : first.behind;
   return fmt::format(
-      "This is at equal samples, which took {} {} and {} {}: at equal time the "
-      "efficiency of {} is {} times that of {}.",
+      "This is at equal samples, which took {} {} and {} {}: at equal time {}the efficiency of {} "
+      "is {} times that of {}.",
       label(first.ahead), duration_in_words(cell(first.ahead).seconds.value), label(first.behind),
-      duration_in_words(cell(first.behind).seconds.value), label(first.ahead),
-      number_with_interval(first.efficiency), label(first.behind));
+      duration_in_words(cell(first.behind).seconds.value),
+      turned ? fmt::format("{} is ahead: ", label(better)) : "", label(better),
+      number_with_interval(turned ? inverse(first.efficiency) : first.efficiency), label(other));
 }
 
 std::string Words::of_the_target() const {

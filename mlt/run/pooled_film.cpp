@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "mlt/run/reliability.h"
@@ -25,10 +26,8 @@ struct Parts {
   }
 };
 
-double sum(std::span<const double> terms) {
-  double all = 0;
-  for (const double term : terms) all += term;
-  return all;
+double sum(const std::vector<double>& terms) {
+  return std::accumulate(terms.begin(), terms.end(), 0.0);
 }
 
 // E̅ and S̅ of one run.

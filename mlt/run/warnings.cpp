@@ -22,11 +22,14 @@ namespace wander {
 
 namespace {
 
-// A class with more than this share of all steps, which is that of the light if it is their target …
+// A class with more than this share of the film, by the share of all steps …
 constexpr double least_share = 0.005;
 // … in which every group would make at least so many steps, if the chains mixed, is met by more
 // than a few groups.
 constexpr double fewest_steps = 100;
+
+// A larger share of steps in which chains could do nothing is wasted.
+constexpr double most_idle = 0.2;
 
 // So many classes are named in a warning, those of most steps first.
 constexpr std::size_t most_named = 3;
@@ -147,13 +150,26 @@ std::string disagreeing_groups(const Evidence& evidence) {
                         : number_text(worst, 2) + " times as much as each of them changes");
 }
 
-std::string few_groups(const MutationStatistics& statistics, std::size_t groups) {
+std::string idle_chains(const MutationStatistics& statistics) {
+  const double share = static_cast<double>(statistics.steps(Reason::not_applicable)) /
+                       static_cast<double>(std::max<std::uint64_t>(1, statistics.steps()));
+  if (!(share > most_idle)) return "";
+  return fmt::format(
+      "chains were in {} % of their steps where none of the mutations can act, and stayed; add "
+      "bidirectional or primary to --mutations, which act on every path",
+      number_text(100 * share, 2));
+}
+
+std::string few_groups(const Evidence& evidence) {
+  const MutationStatistics& statistics = evidence.statistics;
+  const std::size_t groups = evidence.all_groups;
   if (groups < 2 * static_cast<std::size_t>(GroupsFilm::fewest_groups)) return "";
   const auto steps = static_cast<double>(statistics.steps());
   std::vector<MutationStatistics::Visits> rare = statistics.visits();
   std::erase_if(rare, [&](const auto& visits) {
     const auto spent = static_cast<double>(visits.steps);
-    return visits.groups >= GroupsFilm::fewest_groups || spent < least_share * steps ||
+    return visits.groups >= GroupsFilm::fewest_groups ||
+           spent * evidence.light_of_chains < least_share * steps ||
            spent < fewest_steps * static_cast<double>(groups);
   });
   if (rare.empty()) return "";
@@ -165,8 +181,8 @@ std::string few_groups(const MutationStatistics& statistics, std::size_t groups)
         number_text(100 * static_cast<double>(visits.steps) / steps, 2), visits.groups, groups));
   if (rare.size() > most_named) parts.push_back(fmt::format("{} more", rare.size() - most_named));
   return fmt::format(
-      "few groups of chains ever met paths of class {}: the seed pass hardly finds them, and no "
-      "mutation leads there; a larger budget makes a longer seed pass",
+      "few groups of chains ever met paths of class {}: few seeds are such paths, and no mutation "
+      "leads there; a larger budget makes a longer seed pass",
       fmt::join(parts, ", "));
 }
 
@@ -213,8 +229,9 @@ std::vector<std::string> warnings(const Evidence& evidence) {
     const std::string disagreement = disagreeing_groups(evidence);
     // Groups that disagree are of chains that are short, and a worse matter.
     all.push_back(disagreement.empty() ? slow_mixing(evidence) : disagreement);
+    all.push_back(idle_chains(evidence.statistics));
   }
-  all.push_back(few_groups(evidence.statistics, evidence.all_groups));
+  all.push_back(few_groups(evidence));
   std::erase_if(all, [](const std::string& warning) { return warning.empty(); });
   return all;
 }

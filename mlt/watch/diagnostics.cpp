@@ -154,12 +154,24 @@ class Autocovariance {
   std::vector<double> means_;
 };
 
+// ρ_t = 1 - (W - ĉ_t) / var⁺ of draws that are split.
+class CombinedAutocorrelation {
+ public:
+  explicit CombinedAutocorrelation(const Draws& x) : covariance_(x) {
+    const double n = static_cast<double>(x.length), biased = covariance_(0);
+    within_ = biased * n / (n - 1);
+    total_ = biased + (x.chains > 1 ? variance_of(covariance_.means()) : 0);
+  }
+  double operator()(std::size_t lag) const { return 1 - (within_ - covariance_(lag)) / total_; }
+
+ private:
+  Autocovariance covariance_;
+  double within_, total_;
+};
+
 // ρ_t of Geyer's initial positive sequence, ρ_{2j} + ρ_{2j+1} > 0; behind it the first even one.
 std::vector<double> positive_sequence(const Draws& x) {
-  const Autocovariance covariance(x);
-  const double n = static_cast<double>(x.length), within = covariance(0) * n / (n - 1);
-  const double total = covariance(0) + (x.chains > 1 ? variance_of(covariance.means()) : 0);
-  const auto rho = [&](std::size_t t) { return 1 - (within - covariance(t)) / total; };
+  const CombinedAutocorrelation rho(x);
   double even = 1, odd = rho(1);
   std::vector<double> sequence;
   for (std::size_t t = 1; t + 3 < x.length && even + odd > 0; t += 2) {
@@ -194,6 +206,16 @@ Draws squared_deviations(const Draws& x) {
 }
 
 }  // namespace
+
+std::vector<double> combined_autocorrelation(const Draws& draws, std::size_t lags) {
+  if (!tell_something(draws)) return {};
+  const Draws halves = split(draws);
+  const CombinedAutocorrelation rho(halves);
+  std::vector<double> all{1};
+  for (std::size_t lag = 1; lag <= std::min(lags, halves.length - 1); ++lag)
+    all.push_back(rho(lag));
+  return all;
+}
 
 double split_r_hat(const Draws& draws) {
   if (draws.chains < 2 || !tell_something(draws)) return not_known;

@@ -40,6 +40,10 @@ double mcse_mean(const Draws& draws);
 double mcse_sd(const Draws& draws);
 double mcse_quantile(const Draws& draws, double probability);
 
+// ρ_t = 1 - (W - ĉ_t) / var⁺, t = 0 … lags, of all chains together: what sets them apart stays at all lags.  ρ_0 is
+// 1; empty where the draws tell nothing.
+std::vector<double> combined_autocorrelation(const Draws& draws, std::size_t lags);
+
 // Integrated autocorrelation time τ = 1 + 2 Σ ρ_t, in draws: the mean of n draws has the variance
 // of n / τ independent ones.
 //

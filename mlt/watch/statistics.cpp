@@ -75,6 +75,13 @@ std::uint64_t MutationStatistics::steps() const {
   return steps;
 }
 
+std::uint64_t MutationStatistics::steps(Reason reason) const {
+  std::uint64_t steps = 0;
+  for (const Outcomes& outcomes : by_length_)
+    steps += outcomes.reasons[static_cast<std::size_t>(reason)];
+  return steps;
+}
+
 std::vector<MutationStatistics::Visits> MutationStatistics::visits() const {
   std::vector<Visits> visits;
   for (std::size_t c = 0; c < classes_.size(); ++c) {

@@ -110,6 +110,7 @@ class MutationStatistics {
   void merge(const MutationStatistics& other);
   std::vector<MutationRecord> records() const;
   std::uint64_t steps() const;
+  std::uint64_t steps(Reason reason) const;
   std::uint64_t longest_rejection_run() const { return longest_run_; }
 
   // Where the chains were: steps made from paths of a class, and how many groups ever met it.

@@ -73,7 +73,7 @@ class SceneError(WanderlightError, ValueError):
     ...     wl.Scene([wl.Segment((0, 0), (1, 0), light=-1), wl.Segment((0, 1), (1, 1), sensor=10)])
     ... except wl.SceneError as error:
     ...     print(error.faults[0][2:])
-    ('/shapes/0/light/radiance', '-1 is not allowed; a radiance is > 0, from 1e-30 to 1e30')
+    ('/shapes/0/light/radiance', '-1 is not allowed; a radiance is > 0, from 1e-36 to 1e36')
     """
 
     faults: list[tuple[int, int, str, str]] = []

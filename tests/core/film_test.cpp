@@ -102,6 +102,10 @@ TEST(TechniqueTally, TellsRareTechniquesByTheirEffectiveSamples) {
   EXPECT_EQ(tally.rare_light(10), 25);
   tally.merge(other);
   EXPECT_EQ(tally.rare_light(10), 7);
+  ASSERT_EQ(tally.rare(10).size(), 1u);
+  EXPECT_EQ(tally.rare(10)[0].vertices, 4);
+  EXPECT_EQ(tally.rare(10)[0].technique, 1);
+  EXPECT_EQ(tally.rare(11).front().light, 20) << "the brightest first";
   tally.clear();
   EXPECT_EQ(tally.rare_light(10), 0);
 }

@@ -20,6 +20,7 @@ TEST(LoadWarning, IsForThreadsThatHadMuchLessThanTheyAskedFor) {
             "the machine was busy: in 5 s of wall time 2 threads had only 40 % of the processor "
             "time that they asked for, so a budget of wall time is no fair measure here; give it "
             "in processor time (-b 30cpu-s) or in samples (-b 5M), or take fewer threads (-t)");
+  EXPECT_TRUE(load_warning(5, 2, 1).ends_with("or in samples (-b 5M)")) << "none to spare";
 }
 
 }  // namespace

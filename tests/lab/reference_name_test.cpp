@@ -1,5 +1,6 @@
 // A film that is known exactly is called so, wherever a reference is named.
 #include "lab/reference_name.h"
+#include "lab/wording.h"
 #include "tests/lab/compare/compare_command.h"
 
 namespace wander::test {
@@ -15,6 +16,16 @@ TEST(ReferenceName, IsWhatIsKnownOfIt) {
   EXPECT_EQ(name_of_reference(rendering), "bdpt, 2 M samples");
   rendering.method = "reference";
   EXPECT_EQ(name_of_reference(rendering), "exact");
+}
+
+TEST(WorkInWords, TellsStepsFromSamples) {
+  Rendering rendering;
+  rendering.samples = 300'000;
+  EXPECT_EQ(work_in_words(rendering), "300 k samples");
+  rendering.chains = 64;
+  EXPECT_EQ(work_in_words(rendering), "300 k mutations");
+  rendering.pooling = PoolingRecord{.samples = 711'000};
+  EXPECT_EQ(work_in_words(rendering), "300 k mutations, 711 k samples");
 }
 
 TEST_F(CompareCommand, CallsAnExactReferenceExact) {

@@ -32,6 +32,13 @@ TEST(Catalogue, TellsWhatCanBeSetAndWhatIsUsual) {
   EXPECT_EQ(parameters_of("primary").size(), 1u);
 }
 
+TEST(Catalogue, TellsTheWeightOfEachWord) {
+  EXPECT_EQ(auto_weight_of("bidirectional"), 0.5);
+  EXPECT_EQ(auto_weight_of("lens"), 1);
+  EXPECT_EQ(auto_weight_of("primary"), primary_auto_weight);
+  EXPECT_EQ(auto_weight_of("none"), 0);
+}
+
 TEST(Catalogue, SetsTheParametersOfTheNamedMutationAlone) {
   const Family family = family_of({{"lens", 1, {{"angle", 0.25, 0.5}}}, {"caustic", 1}}, 1);
   EXPECT_EQ(member<Lens>(family).range.angle.smallest, 0.25);

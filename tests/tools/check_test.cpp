@@ -1,4 +1,6 @@
 // `wander check`: verdicts in words and in JSON, exit codes, and a wrong twin that is caught.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "mlt/mixture.h"
@@ -51,6 +53,67 @@ TEST_F(CommandLine, CheckPrintsOneDocumentThatIsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(document["mutations"][0]["verdict"], "passed");
   EXPECT_EQ(document["methods"].size(), checked_methods().size());
   EXPECT_NE(wander(arguments + "-s 2").out, one.out);
+}
+
+// A mirror shows the floor a lamp of a nanometre: light paths find that light, a path from the floor would have to
+// meet the lamp by chance.
+constexpr const char* tiny_lamp_text = R"({
+  "format": "wanderlight-scene/1", "dimension": 2, "max_vertices": 8,
+  "materials": { "silver": { "type": "mirror", "reflectance": 0.9 } },
+  "shapes": [
+    { "type": "segment", "from": [0, 0], "to": [1, 0], "sensor": { "bins": 4 } },
+    { "type": "segment", "from": [0.5, 1], "to": [0.499999999, 1], "light": { "radiance": 2e9 } },
+    { "type": "segment", "from": [1.2, 0], "to": [1.2, 1.5], "material": "silver" } ] })";
+
+TEST_F(CommandLine, CheckHoldsNothingAgainstAMethodThatCannotMeetALamp) {
+  write("tiny.json", tiny_lamp_text);
+  for (const int seed : {1, 2}) {
+    const Outcome check = wander(fmt::format("check tiny.json --samples 20k -s {}", seed));
+    EXPECT_EQ(check.exit_code, 0) << check.out;
+    EXPECT_HAS(check.out, "lt");
+    EXPECT_LACKS(check.out, "DISAGREES");
+  }
+  const auto rendered = [&](const char* method) {
+    return json::parse(
+        wander(fmt::format("render tiny.json -m {0} -b 20k --json -q -o {0} --force", method)).out);
+  };
+  const json by_pt = rendered("pt"), by_lt = rendered("lt");
+  EXPECT_EQ(by_pt["film"]["reliable"], json::array({false, false, false, false}));
+  EXPECT_HAS(by_pt["warnings"].dump(), "pt finds light that comes by mirrors or smooth glass only");
+  EXPECT_EQ(by_lt["film"]["reliable"], json::array({true, true, true, true}));
+}
+
+// A pinhole sees a ball of silver: light tracing knows nothing of what comes by it, so nothing of any bin.
+TEST_F(CommandLine, AMethodThatMissesLightCallsNoBinReliable) {
+  json scene = json::parse(box);
+  scene["materials"]["silver"] = {{"type", "mirror"}, {"reflectance", 0.9}};
+  scene["shapes"].push_back(
+      {{"type", "circle"}, {"center", {1, 0.5}}, {"radius", 0.1}, {"material", "silver"}});
+  json& floor = scene["shapes"][2];
+  floor.erase("sensor");
+  floor["material"] = "wall";
+  scene["camera"] = {{"type", "perspective"},
+                     {"position", {0.2, 0.5}},
+                     {"target", {1, 0.5}},
+                     {"fov_deg", 60},
+                     {"resolution", 4}};
+  write("seen.json", scene.dump(1));
+  for (const char* method : {"lt", "bdpt"}) {
+    const json film = json::parse(
+        wander(fmt::format("render seen.json -m {0} -b 50k --json -q -o {0}", method)).out)["film"];
+    EXPECT_EQ(film["reliable"],
+              json::array({method[0] == 'b', method[0] == 'b', method[0] == 'b', method[0] == 'b'}))
+        << method;
+  }
+}
+
+// Where samples go on beside each step, the first look comes after as much work as it does without.
+TEST_F(CommandLine, AnErrorThatIsEasilyReachedIsReachedSoon) {
+  const json run =
+      json::parse(wander("render box.json -m mlt -b \"error<0.5\" --json -q -o run").out);
+  const double beside = run["pooling"]["samples_per_step"];
+  EXPECT_GT(beside, 1);
+  EXPECT_LT(run["samples"].get<double>() * (1 + beside), 1.5 * (1 << 17));
 }
 
 TEST_F(CommandLine, CheckFindsNoLightAndSaysSo) {

@@ -159,6 +159,17 @@ TEST(ImageFigure, ShowsThePictureAndItsError) {
   }
 }
 
+// On a column of a journal the titles of the scales take two lines, and none is wider than its scale.
+TEST(ImageFigure, KeepsTitlesOfScalesOnTheirPanel) {
+  constexpr double column = 84 / 25.4 * 72;
+  ImageFigureOptions options{.title = "narrow", .value = {"mean radiance", "W/(m²·sr)"}};
+  options.width = column;
+  const std::string svg = figure_of({image_run(40, 20, 3)}, options);
+  EXPECT_TRUE(is_well_formed(svg));
+  EXPECT_EQ(count(svg, ">luminance of mean radiance, W/(m²·sr)<"), 0u);
+  EXPECT_EQ(count(svg, ">W/(m²·sr)<") + count(svg, ">radiance, W/(m²·sr)<"), 1u);
+}
+
 // The first is held against the second; where they differ upwards it is red.
 TEST(ImageFigure, HoldsOneOfTwoAgainstTheOther) {
   RunRecord one = image_run(40, 20, 1, 1), other = image_run(40, 20, 1, 2);

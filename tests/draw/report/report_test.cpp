@@ -100,6 +100,17 @@ TEST(Report, IsSmallHoweverMuchWasMeasured) {
   test::expect_sound(report_html(many));
 }
 
+// A bin somewhat above all others is drawn; one far above would press the rest to the ground, and is told of.
+TEST(Report, TellsOfValuesBeyondTheAxis) {
+  constexpr const char* beyond = " Beyond the axis are ";
+  compare::Runs runs = test::usual().runs;
+  double& bin = runs.runs.back().film.value.at(7);
+  bin *= 1.4;
+  EXPECT_FALSE(says(report_of(runs), beyond));
+  bin *= 1e3;
+  EXPECT_TRUE(says(report_of(runs), std::string(beyond) + "1 values.")) << "one of them";
+}
+
 TEST(Report, SaysWhyThereAreNoChains) {
   const std::string html =
       report_html(test::make_comparison({"gallery:article-1", {"bdpt", "pt"}, {10'000}, 2}));

@@ -143,7 +143,7 @@ TEST(ContenderImage, HasTheErrorsOfItsPixels) {
   const auto image = report::image_of({made, report::scene_of(made)}, 0);
   ASSERT_TRUE(image);
   EXPECT_EQ(image->run.replicate, 0u);
-  EXPECT_EQ(image->error.values[0], 0);
+  EXPECT_TRUE(std::isnan(image->error.values[0])) << "the reference knows no more";
   const double size = 4 + 1e-4 * 4;
   EXPECT_NEAR(image->error.values[5], std::sqrt((0.625 - 1e-4) / size), 1e-12);
   EXPECT_EQ(image->z.values[0], 0);

@@ -153,6 +153,10 @@ TEST(Verdict, AtEqualSamplesTheEfficiencyIsGivenToo) {
   const Comparison c = summarize(runs);
   EXPECT_SAYS(c.verdict, "This is at equal samples");
   EXPECT_NEAR(c.crossings.at(0).efficiency.value, c.crossings.at(0).speedup.value / 100, 1e-9);
+  // Who is ahead by samples is far behind by time, and that is said of both.
+  ASSERT_EQ(c.crossings.at(0).ahead, 0u);
+  EXPECT_SAYS(c.verdict, "a is ahead of b at equal samples: at 8k ");
+  EXPECT_SAYS(c.verdict, ": at equal time b is ahead: the efficiency of b is ");
 }
 
 TEST(Verdict, WithoutARunClaimsNoChance) {

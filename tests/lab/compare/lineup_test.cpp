@@ -135,6 +135,15 @@ TEST(LineUp, RefusesADialThatNoMethodHas) {
   EXPECT_NE(usage_error([] { line_up("bdpt", {"mutations=lens=1"}, {}); }), "");
 }
 
+// By the words of this verb, which has no options of dials.
+TEST(LineUp, NamesADialAsItIsTurned) {
+  EXPECT_EQ(usage_error([] { line_up("bdpt", {}, {"chains=64"}); }),
+            "--sweep: chains is for mlt and pssmlt; bdpt does not have it");
+  const std::string refused = usage_error([] { line_up("mlt", {"chains=65"}, {}); });
+  EXPECT_TRUE(refused.starts_with("--dial: chains '65': ")) << refused;
+  EXPECT_EQ(refused.find("--chains"), std::string::npos) << refused;
+}
+
 TEST(LineUp, RefusesTheSameContenderTwice) {
   EXPECT_NE(usage_error([] { line_up("bdpt,bdpt", {}, {}); }).find("twice"), std::string::npos);
   EXPECT_NE(usage_error([] { line_up("bdpt", {}, {"max_vertices=3,3"}); }), "");

@@ -67,6 +67,8 @@ TEST(Verdict, FiguresTellWhatIsExtrapolated) {
   EXPECT_TRUE(says(errors, ">longest run, 4 s; beyond it extrapolated<"));
   // All replicates of `slow`, none of the others.
   EXPECT_EQ(figure::count(report::profile_figure(c), "class=\"open marker\""), 8u);
+  // Those of `quick` are there before its shortest run ends, nobody knows when.
+  EXPECT_EQ(report::times_shown(c, c.profiles.at(0)), std::vector<double>(8, 1.0));
   Generator random(3);
   const Comparison within = summarize(made_runs({}, {{"fast", 0.1}, {"equal", 0.1}}, random));
   EXPECT_FALSE(report::has_extrapolated(within));

@@ -147,11 +147,13 @@ class Warnings : public ::testing::Test {
     seeds_.total += x;
     seeds_.total_squares += x * x;
   }
-  static void visit(MutationStatistics& group, PathClass path_class, int steps) {
+  static void visit(MutationStatistics& group, PathClass path_class, int steps,
+                    Reason reason = Reason::none) {
     RejectionRuns runs(1);
     Observation seen;
     seen.current.vertices = 3;
     seen.current.path_class = path_class;
+    seen.reason = reason;
     for (int i = 0; i < steps; ++i) group.observe(seen, runs);
   }
   // Chains whose position on the sensor is this, and whose log f may change, too.
@@ -258,8 +260,23 @@ TEST_F(Warnings, SayWhichClassesFewGroupsMet) {
   const auto rare = warnings_of(draws_of({}, 1));
   ASSERT_EQ(rare.size(), 1u);
   EXPECT_NE(rare[0].find("LDSE (30 % of all steps, 3 of 64 groups)"), std::string::npos) << rare[0];
+  // Of a pooled film it is a share of what chains carry.
+  EXPECT_EQ(warnings_of(draws_of({}, 1), {}, 0.02).size(), 1u);
+  EXPECT_TRUE(warnings_of(draws_of({}, 1), {}, 0.01).empty());
   for (MutationStatistics& group : groups_) visit(group, 0b101, 1);
   EXPECT_TRUE(warnings_of(draws_of({}, 1)).empty());
+}
+
+TEST_F(Warnings, SayThatChainsCannotMove) {
+  for (MutationStatistics& group : groups_) visit(group, 0b10, 200, Reason::not_applicable);
+  EXPECT_TRUE(warnings_of(draws_of({}, 1)).empty());
+  for (MutationStatistics& group : groups_) visit(group, 0b10, 800, Reason::not_applicable);
+  const auto idle = warnings_of(draws_of({}, 1));
+  ASSERT_EQ(idle.size(), 1u);
+  EXPECT_NE(idle[0].find("in 50 % of their steps where none of the mutations can act"),
+            std::string::npos)
+      << idle[0];
+  EXPECT_TRUE(warnings_of(draws_of({}, 1), {}, 0.9 * least_light_of_chains).empty());
 }
 
 FilmEstimate film_with(double degrees) {

@@ -208,6 +208,36 @@ TEST(AutocorrelationTime, OfAutoregressiveChainsIsKnown) {
   }
 }
 
+// φ^t; the bound is 5.4 standard errors of an autocorrelation [Bartlett 1946], the largest of all lags.
+TEST(CombinedAutocorrelation, OfAutoregressiveChainsIsKnown) {
+  constexpr double phi = 0.8;
+  const std::vector<double> rho = combined_autocorrelation(autoregressive(phi, 4, 20'000), 6);
+  const double error = std::sqrt((1 + phi * phi) / (1 - phi * phi) / 80'000);
+  ASSERT_EQ(rho.size(), 7u);
+  EXPECT_EQ(rho[0], 1);
+  for (std::size_t t = 1; t < rho.size(); ++t) {
+    EXPECT_NEAR(rho[t], std::pow(phi, t), 5.4 * error) << t;
+    EXPECT_GT(std::abs(rho[t] - std::pow(0.95 * phi, t)), 5.4 * error) << t;
+  }
+}
+
+// Half of the variance is between chains, and stays at all lags: the eight halves have a variance of 1/12 each, and so
+// has d²/4 · 8/7, that of their means.  The bound is 5.4 standard errors of an autocorrelation.
+TEST(CombinedAutocorrelation, StaysHighWhereChainsAreApart) {
+  const double d = std::sqrt(7.0 / 24);
+  const Draws apart = mapped(autoregressive(0, 4, 20'000),
+                             [d](std::size_t chain, double x) { return x + (chain < 2 ? 0 : d); });
+  const std::vector<double> rho = combined_autocorrelation(apart, 5);
+  for (std::size_t t = 1; t < rho.size(); ++t)
+    EXPECT_NEAR(rho[t], 0.5, 5.4 / std::sqrt(80'000)) << t;
+  EXPECT_EQ(combined_autocorrelation(Draws{2, 8, std::vector<double>(16, 3.0)}, 5),
+            std::vector<double>{});
+  Draws trapped{2, 8, std::vector<double>(16, 0.0)};
+  std::fill(trapped.values.begin() + 8, trapped.values.end(), 1.0);
+  EXPECT_EQ(combined_autocorrelation(trapped, 9), std::vector<double>(4, 1.0))
+      << "no lag beyond a half";
+}
+
 TEST(AutocorrelationTime, OfChainsThatAreTooShortIsNaN) {
   EXPECT_TRUE(std::isnan(sokal_autocorrelation_time(autoregressive(0.999, 4, 200))));
 }

@@ -69,13 +69,13 @@ INSTANTIATE_TEST_SUITE_P(
                   {{"/shapes/2/light/radiance/1", "-2 is not allowed"}}},
         Malformed{"ChannelTooSmall",
                   with_solid(R"({ "type": "sphere", "center": [0, 0, 0], "radius": 1,
-                     "light": { "radiance": [1, ^1e-31, 0] } })"),
+                     "light": { "radiance": [1, ^1e-37, 0] } })"),
                   {{"/shapes/2/light/radiance/1",
-                    "1e-31 is not allowed; a channel of a radiance is 0, or from 1e-30 to 1e30"}}},
+                    "1e-37 is not allowed; a channel of a radiance is 0, or from 1e-36 to 1e36"}}},
         Malformed{"ChannelTooLarge",
                   with_solid(R"({ "type": "sphere", "center": [0, 0, 0], "radius": 1,
-                     "light": { "radiance": [1, ^2e30, 0] } })"),
-                  {{"/shapes/2/light/radiance/1", "2e30 is not allowed"}}}),
+                     "light": { "radiance": [1, ^2e36, 0] } })"),
+                  {{"/shapes/2/light/radiance/1", "2e36 is not allowed"}}}),
     name_of);
 
 std::string with_metal(const std::string& members) {

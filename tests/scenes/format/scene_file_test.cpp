@@ -59,7 +59,7 @@ TEST(SceneFile, KeepsEveryShapeWithItsPlace) {
   const auto& polyline = std::get<Polyline>(shapes[1].kind);
   EXPECT_EQ(polyline.points, (std::vector<Coordinates>{{5, 5, 0}, {6, 5, 0}, {6, 6, 0}}));
   EXPECT_TRUE(polyline.closed);
-  EXPECT_EQ(shapes[1].light->radiance.channels[2], 1e30);
+  EXPECT_EQ(shapes[1].light->radiance.channels[2], 1e36);
 
   const auto& circle = std::get<Circle>(shapes[2].kind);
   EXPECT_EQ(circle.center, (Coordinates{20, 0, 0}));

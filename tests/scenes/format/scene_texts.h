@@ -73,7 +73,7 @@ inline const std::string everything = R"(// A scene of everything.
   "shapes": [
     { "type": "segment", "from": [0.1, -2e-310], "to": [3, 4], "material": "m", "id": "s" },
     { "type": "polyline", "points": [[5, 5], [6, 5], [6, 6]], "closed": true, "material": "z",
-      "light": { "radiance": 1e30 } },
+      "light": { "radiance": 1e36 } },
   // circles and arcs
     { "type": "circle", "center": [20, 0], "radius": 2, "material": "g" },
     { "type": "arc", "center": [30, 0], "radius": 2.5, "from_deg": 350, "to_deg": 10.5,
