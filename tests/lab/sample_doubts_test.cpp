@@ -3,8 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "core/film_statistics.h"
-#include "tests/support/expect.h"
 
 namespace wander::test::sample_doubts_test {
 namespace {
@@ -32,7 +33,8 @@ TEST(RareTechniques, AreToldWhereTheyTakeTheTrustFromMostBins) {
   EXPECT_EQ(reliable_bins(bright.estimate(shape)), 0u);
   const std::string said = said_of(bright);
   EXPECT_TRUE(said.starts_with("2 of 2 lit bins cannot be called reliable: ")) << said;
-  EXPECT_HAS(said, "most of it (4, 2), (5, 0), carry 4.08 % of the film");
+  EXPECT_NE(said.find("most of it (4, 2), (5, 0), carry 4.08 % of the film"), std::string::npos)
+      << said;
 }
 
 // Five effective hits are as many as the rule for rare techniques can judge by.
