@@ -69,7 +69,8 @@ struct Material {
   MaterialKind kind;
 };
 
-// Of a channel that is not 0.  Films are kept in single precision, too, with errors far below them.
+// Of a channel that is not 0.  The range of single precision, less what a pixel and its error may be beside a radiance: what goes
+// beyond that all the same is zero or infinite in film.exr, and as it is in film.nc.
 inline constexpr double smallest_radiance = 1e-36, largest_radiance = 1e36;
 
 // One-sided Lambertian emission, from the side of the normal.

@@ -61,25 +61,19 @@ TechniqueTally::TechniqueTally(int max_vertices)
       sums_(static_cast<std::size_t>(longest_ + 1) * static_cast<std::size_t>(longest_ + 1)) {}
 
 void TechniqueTally::add(int vertices, int technique, double contribution) {
-  const int index = std::min(vertices, longest_) * (longest_ + 1) + std::min(technique, longest_);
-  Sums& sums = sums_[static_cast<std::size_t>(index)];
-  sums.sum += contribution;
-  sums.squares += contribution * contribution;
+  sums_[index(vertices, technique)].add(contribution);
 }
 
 void TechniqueTally::merge(const TechniqueTally& other) {
-  for (std::size_t i = 0; i < sums_.size(); ++i) {
-    sums_[i].sum += other.sums_[i].sum;
-    sums_[i].squares += other.sums_[i].squares;
-  }
+  for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i].merge(other.sums_[i]);
 }
 
-void TechniqueTally::clear() { std::ranges::fill(sums_, Sums{}); }
+void TechniqueTally::clear() { std::ranges::fill(sums_, BinSums{}); }
 
 double TechniqueTally::rare_light(double effective_samples) const {
   double light = 0;
-  for (const Sums& sums : sums_)
-    if (sums.sum * sums.sum < effective_samples * sums.squares) light += sums.sum;
+  for (const BinSums& sums : sums_)
+    if (sums.effective_samples() < effective_samples) light += sums.sum;
   return light;
 }
 
@@ -87,22 +81,24 @@ std::vector<RareTechnique> TechniqueTally::rare(double effective_samples) const 
   std::vector<RareTechnique> rare;
   for (int n = 0; n <= longest_; ++n)
     for (int s = 0; s <= longest_; ++s) {
-      const Sums& sums = sums_[static_cast<std::size_t>(n * (longest_ + 1) + s)];
-      if (sums.sum > 0 && sums.sum * sums.sum < effective_samples * sums.squares)
+      const BinSums& sums = sums_[index(n, s)];
+      if (sums.sum > 0 && sums.effective_samples() < effective_samples)
         rare.push_back({n, s, sums.sum});
     }
   std::ranges::stable_sort(rare, std::greater(), &RareTechnique::light);
   return rare;
 }
 
-double TechniqueTally::effective_hits() const {
-  Sums hits;
-  for (int n = 3; n <= longest_; ++n) {
-    const Sums& sums = sums_[static_cast<std::size_t>(n * (longest_ + 1))];
-    hits.sum += sums.sum;
-    hits.squares += sums.squares;
-  }
-  return hits.squares > 0 ? hits.sum * hits.sum / hits.squares : 0;
+BinSums TechniqueTally::lights_met() const {
+  BinSums hits;
+  for (int n = 3; n <= longest_; ++n) hits.merge(sums_[index(n, 0)]);
+  return hits;
+}
+
+BinSums TechniqueTally::sensors_met() const {
+  BinSums hits;
+  for (int n = 3; n <= longest_; ++n) hits.merge(sums_[index(n, n)]);
+  return hits;
 }
 
 SampleFilm::SampleFilm(int bins, int max_vertices, const FilmLayout& layout)
@@ -177,12 +173,13 @@ FilmEstimate estimate_of_samples(std::span<const int> shape, std::uint64_t sampl
   // Σ of rare light that a bin would have, were it spread evenly.
   const double rare = techniques.rare_light(fewest_technique_samples * pixels) / pixels;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto [sum, squares] = sums(i);
-    const double variance = std::max(0.0, squares - sum * sum / n) / (n - 1);
+    const BinSums of_bin = sums(i);
+    const double sum = of_bin.sum,
+                 variance = std::max(0.0, of_bin.squares - sum * sum / n) / (n - 1);
     film.value.push_back(samples > 0 ? pixels * sum / n : 0);
     film.standard_error.push_back(samples > 1 ? pixels * std::sqrt(variance / n)
                                               : std::numeric_limits<double>::quiet_NaN());
-    film.reliable.push_back(squares > 0 && sum * sum >= fewest_effective_samples * squares &&
+    film.reliable.push_back(of_bin.effective_samples() >= fewest_effective_samples &&
                             rare <= most_rare_light * std::sqrt(variance * n));
   }
   return film;

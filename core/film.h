@@ -5,6 +5,7 @@
 // spread of the groups is the error (mlt/run/deposit.h).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <functional>
@@ -68,6 +69,27 @@ struct RareTechnique {
   double light;  // Σ of its contributions
 };
 
+// Σ x and Σ x² over samples.
+struct BinSums {
+  double sum = 0, squares = 0;
+
+  void add(double x) {
+    sum += x;
+    squares += x * x;
+  }
+  void merge(const BinSums& other) {
+    sum += other.sum;
+    squares += other.squares;
+  }
+  // (Σ x)² / Σ x² [Kish 1965].
+  double effective_samples() const { return squares > 0 ? sum * sum / squares : 0; }
+
+  template <class Archive>
+  void serialize(Archive& archive) {
+    archive(sum, squares);
+  }
+};
+
 // Film-wide sums of contributions by technique (n, s).
 class TechniqueTally {
  public:
@@ -80,8 +102,10 @@ class TechniqueTally {
   double rare_light(double effective_samples) const;
   // Those techniques, the brightest first.
   std::vector<RareTechnique> rare(double effective_samples) const;
-  // Effective samples of sensor subpaths that met a light by chance, s = 0 of paths of three vertices and more.
-  double effective_hits() const;
+  // Of paths of three vertices and more: of sensor subpaths that met a light by chance, s = 0, and of light subpaths that met
+  // the sensor, s = n.
+  BinSums lights_met() const;
+  BinSums sensors_met() const;
 
   template <class Archive>
   void serialize(Archive& archive) {
@@ -89,26 +113,13 @@ class TechniqueTally {
   }
 
  private:
-  struct Sums {
-    double sum = 0, squares = 0;
-
-    template <class Archive>
-    void serialize(Archive& archive) {
-      archive(sum, squares);
-    }
-  };
-  int longest_;  // longer paths share the last entry
-  std::vector<Sums> sums_;
-};
-
-// Σ x and Σ x² over samples.
-struct BinSums {
-  double sum = 0, squares = 0;
-
-  template <class Archive>
-  void serialize(Archive& archive) {
-    archive(sum, squares);
+  std::size_t index(int vertices, int technique) const {
+    return static_cast<std::size_t>(std::min(vertices, longest_) * (longest_ + 1) +
+                                    std::min(technique, longest_));
   }
+
+  int longest_;  // longer paths share the last entry
+  std::vector<BinSums> sums_;
 };
 
 // The film, but for its parts by length.

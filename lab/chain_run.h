@@ -143,13 +143,13 @@ class ChainRun final : public LiveRun {
   }
 
   std::unique_ptr<Findings> no_findings() const override {
-    return std::make_unique<ChainFindings>(method_, shape(), no_statistics());
+    return std::make_unique<ChainFindings>(method_, shape(), no_statistics(), must_meet());
   }
   void add_to(Findings& all) const override {
     dynamic_cast<ChainFindings&>(all).add(*groups_, settings_, adaptation_);
   }
   Rendering findings() const override {
-    ChainFindings own(method_, shape(), no_statistics());
+    ChainFindings own(method_, shape(), no_statistics(), must_meet());
     add_to(own);
     Rendering r;
     run_within(run_, [&] { r = own.rendering(); });
@@ -249,6 +249,8 @@ class ChainRun final : public LiveRun {
     return {Chains::move_names(), settings_.film.maps_of(space_.scene().resolution()),
             space_.max_vertices()};
   }
+
+  MetByChance must_meet() const { return met_by_chance(space_.scene(), MetByChance::either); }
 
   void make_groups(int groups, int chains_of_each) {
     settings_.groups = groups;

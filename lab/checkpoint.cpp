@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/9";
+constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/10";
 
 class Refusal {
  public:
@@ -56,6 +56,15 @@ std::optional<std::string> state_in(std::string_view bytes) {
   return unpacked(bytes, size);
 }
 
+ordered_json to_json(const std::vector<Look>& looks) {
+  ordered_json list = ordered_json::array();
+  for (const Look& look : looks)
+    list.push_back({{"samples", look.samples},
+                    {"error", look.error},
+                    {"degrees_of_freedom", look.degrees_of_freedom}});
+  return list;
+}
+
 ordered_json header_of(const Checkpoint& c) {
   const Headway& h = c.run.headway;
   return {
@@ -70,7 +79,11 @@ ordered_json header_of(const Checkpoint& c) {
       {"seconds", h.wall_seconds},
       {"processor_seconds", h.processor_seconds},
       {"seed_seconds", h.seed_seconds},
-      {"looks", {{"target", h.target}, {"seed_goal", h.seed_goal}, {"goal", h.goal}}}};
+      {"looks",
+       {{"target", h.target},
+        {"seed_goal", h.seed_goal},
+        {"goal", h.goal},
+        {"seen", to_json(h.looks)}}}};
 }
 
 Checkpoint from_header(const JsonPlace& header) {
@@ -92,6 +105,8 @@ Checkpoint from_header(const JsonPlace& header) {
   h.target = looks.at("target");
   h.seed_goal = looks.at("seed_goal");
   h.goal = looks.at("goal");
+  for (const JsonPlace& look : looks.at("seen").elements())
+    h.looks.push_back({look.at("samples"), look.at("error"), look.at("degrees_of_freedom")});
   return c;
 }
 

@@ -28,8 +28,8 @@ std::string chains_help() {
 std::string seed_share_help() {
   return fmt::format(
       "length of the seed pass: samples for each mutation of a sample budget, seconds for each "
-      "second of the chains in a time budget; of an error, samples for each mutation beside the "
-      "chains (default: as many as earn more than steps do, of an "
+      "second of the chains in a time budget; for an error, of a pooled film, samples for each "
+      "mutation beside the chains (default: as many as earn more than steps do, of an "
       "image all before the chains, of a curve but for a few beside them; where samples hardly "
       "find light {} in a time budget, {} in one of "
       "samples; with --film chains, {})",

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <streambuf>
@@ -14,7 +15,6 @@
 #include "core/film_statistics.h"
 #include "mlt/seeds/nothing_found.h"
 #include "work/pace.h"
-#include "work/stopping_rule.h"
 
 namespace wander {
 
@@ -25,7 +25,7 @@ constexpr double rehearsed_after = 0.25;  // of the time of the samples
 // no more than a quarter of the variance.
 constexpr double share_of_error = 0.5;
 
-std::string error_that_stays(double error, double target) {
+std::string warning_of_what_stays(double error, double target) {
   return fmt::format(
       "a part of the film's error, about {:.2g} %, stays, above the {:.2g} % asked for: no more "
       "independent samples are made, and mutations do not lessen what these left unknown; make the "
@@ -190,25 +190,34 @@ class Drive {
     if (headway_.target == target) return;
     headway_.target = target;
     headway_.seed_goal = headway_.goal = 0;
+    headway_.looks.clear();
   }
   Rendering to_error(double target) {
     if (headway_.goal == 0) headway_.goal = run_.rest(run_.first_look());
-    ErrorThatStays of_samples(target);
     while (true) {
       advance_to(headway_.goal);
       Rendering r = findings();
       const double error = relative_error(r.film);
       if (error <= target || execution_.is_interrupted()) return r;
       if (!std::isfinite(error) && run_.samples() >= samples_in_the_dark) return r;
-      if (std::isfinite(error) && run_.lacks_samples(share_of_error * target))
-        if (const auto stays = of_samples.seen(run_.samples(), error, r.film.degrees_of_freedom)) {
-          r.warnings.push_back(error_that_stays(*stays, target));
-          return r;
-        }
+      if (const auto stays = what_stays(r.film, target)) {
+        r.warnings.push_back(warning_of_what_stays(*stays, target));
+        return r;
+      }
       fraction_of_error_ =
           std::isfinite(error) ? std::min(1.0, target * target / (error * error)) : 0;
       headway_.goal = run_.rest(next_look(run_.samples(), error, target));
     }
+  }
+
+  // Of the error, because the seed pass has come to its end.
+  std::optional<double> what_stays(const FilmEstimate& film, double target) {
+    const double error = relative_error(film);
+    if (!std::isfinite(error) || !run_.lacks_samples(share_of_error * target)) return {};
+    std::vector<Look>& looks = headway_.looks;
+    if (looks.empty() || looks.back().samples < run_.samples())
+      looks.push_back({run_.samples(), error, film.degrees_of_freedom});
+    return error_that_stays(looks, target);
   }
 
   // What comes after the samples is rehearsed once, so that its time is known.

@@ -5,9 +5,11 @@
 #include <functional>
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 #include "lab/live_run.h"
 #include "work/parallel.h"
+#include "work/stopping_rule.h"
 
 namespace wander {
 
@@ -18,6 +20,7 @@ struct Headway {
   double target = 0;            // of the last budget that was an error, or 0
   std::uint64_t seed_goal = 0;  // its next looks, at so many samples: of each slice,
   std::uint64_t goal = 0;       // and of the run
+  std::vector<Look> looks{};    // those that samples of the seed pass alone could have mended
 
   bool operator==(const Headway&) const = default;
 };

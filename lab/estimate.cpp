@@ -40,9 +40,8 @@ std::unique_ptr<LiveRun> make_estimate(const Scene<W>& scene, const Estimator& e
       });
     };
   };
-  const auto mirrors = scene.has_specular() ? estimator.mirrors : LightByMirrors::connected;
-  return make_sample_run({estimator.name, mirrors}, scene.film_shape(), scene.max_vertices(),
-                         layout, execution, make);
+  return make_sample_run({estimator.name, met_by_chance(scene, estimator.must_meet)},
+                         scene.film_shape(), scene.max_vertices(), layout, execution, make);
 }
 
 template <World W>

@@ -16,20 +16,23 @@ struct Estimator {
   TechniqueSet techniques;
   Roulette roulette;
   Heuristic heuristic;
-  LightByMirrors mirrors = LightByMirrors::connected;
+  MetByChance must_meet = MetByChance::nowhere;
 };
 
 inline constexpr Estimator path_tracing{"pt",
                                         {.most_light = 1, .fewest_sensor = 1},
                                         Roulette::by_albedo,
                                         Heuristic::power,
-                                        LightByMirrors::by_chance};
-inline constexpr Estimator light_tracing{
-    "lt", {.fewest_light = 1, .most_sensor = 1}, Roulette::by_albedo, Heuristic::power};
+                                        MetByChance::lights};
+inline constexpr Estimator light_tracing{"lt",
+                                         {.fewest_light = 1, .most_sensor = 1},
+                                         Roulette::by_albedo,
+                                         Heuristic::power,
+                                         MetByChance::sensors};
 // [Lafortune and Willems 1993; Veach and Guibas 1995].
 inline constexpr Estimator bidirectional_path_tracing{"bdpt", all_techniques, Roulette::by_albedo,
-                                                      Heuristic::power};
-// Without connections [Kajiya 1986; Arvo and Kirk 1990].
+                                                      Heuristic::power, MetByChance::either};
+// Without connections, so that light by mirrors is no rarer than other light [Kajiya 1986; Arvo and Kirk 1990].
 inline constexpr Estimator naive_path_tracing{
     "pt-naive", {.most_light = 0}, Roulette::off, Heuristic::balance};
 inline constexpr Estimator naive_light_tracing{

@@ -32,7 +32,7 @@ std::string_view through_a_camera(const description::Scene& scene) {
 }
 // The camera is reached by connections alone, which mirrors and smooth glass forbid.
 std::string_view mirrors_seen_by_a_camera(const description::Scene& scene) {
-  if (!scene.camera || !requires_of(scene).specular) return {};
+  if (!scene.camera || !requires_of(scene).specular || scene.max_vertices < 3) return {};
   return "cannot find paths that reach the camera from a mirror or from smooth glass";
 }
 

@@ -12,6 +12,30 @@
 
 namespace wander {
 
+namespace {
+
+struct Words {
+  const char *where, *remedy;
+};
+Words words_of(MetByChance end) {
+  if (end == MetByChance::lights)
+    return {"only where it meets a lamp by chance",
+            "a larger budget; or bdpt, if that light is scattered on its way to the sensor"};
+  if (end == MetByChance::sensors)
+    return {"only where it meets a sensor by chance",
+            "a larger budget; or bdpt, if that light is scattered on its way from the lamp"};
+  return {"next to lamp and sensor only where it meets one of them by chance",
+          "a larger budget, or larger lamps or sensors"};
+}
+
+// (Σ x)² / Σ x² of a bin of n independent samples, from its mean and the error of that.
+double effective_samples(double value, double error, double n) {
+  const double mean_square = (n - 1) * error * error + value * value;
+  return mean_square > 0 ? n * value * value / mean_square : 0;
+}
+
+}  // namespace
+
 std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate& film,
                             std::uint64_t samples) {
   constexpr std::size_t most_named = 3;
@@ -20,35 +44,44 @@ std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate
   double light = 0;
   for (const RareTechnique& technique : rare) light += technique.light;
   light /= static_cast<double>(samples);  // of the mean of the film
-  std::size_t lit = 0, doubtful = 0;
+  // Bins that few samples have found are not reliable for that alone.
+  std::size_t seen = 0, doubtful = 0;
   for (std::size_t i = 0; i < film.value.size(); ++i) {
-    if (!(film.value[i] > 0)) continue;
-    ++lit;
-    doubtful += light > most_rare_light * film.standard_error[i] ? 1 : 0;
+    if (effective_samples(film.value[i], film.standard_error[i], static_cast<double>(samples)) <
+        fewest_effective_samples)
+      continue;
+    ++seen;
+    doubtful += film.reliable[i] ? 0 : 1;
   }
-  if (2 * doubtful <= lit) return "";
+  if (2 * doubtful <= seen) return "";
   std::vector<std::string> names;
   for (const RareTechnique& technique : rare)
     if (names.size() < most_named)
       names.push_back(fmt::format("({}, {})", technique.vertices, technique.technique));
   return fmt::format(
-      "{} of {} lit bins cannot be called reliable: techniques (n, s) that found light in few "
+      "{} of {} bins that samples enough have found cannot be called reliable: techniques (n, s) "
+      "that found light in few "
       "samples, most of it {}, carry {} of the film, and what they did not find is in no error "
       "bar; a larger budget finds more of it, and so may mlt",
-      doubtful, lit, fmt::join(names, ", "), percent(light / mean_value(film)));
+      doubtful, seen, fmt::join(names, ", "), percent(light / mean_value(film)));
 }
 
-void add_doubts(Rendering& rendering, const TechniqueTally& techniques, LightByMirrors mirrors) {
-  if (mirrors == LightByMirrors::by_chance &&
-      techniques.effective_hits() < fewest_technique_samples) {
-    rendering.film.reliable.assign(rendering.film.reliable.size(), false);
-    rendering.warnings.push_back(fmt::format(
-        "{} finds light that comes by mirrors or smooth glass only where it meets a lamp by "
-        "chance, and it hardly met one: what it may have missed is in no error bar; a larger "
-        "budget, or bdpt",
-        rendering.method));
-    return;
-  }
+void doubt_what_was_not_met(Rendering& rendering, MetByChance end, const BinSums& met) {
+  if (end == MetByChance::nowhere || met.effective_samples() >= fewest_technique_samples) return;
+  rendering.film.reliable.assign(rendering.film.reliable.size(), false);
+  rendering.warnings.push_back(fmt::format(
+      "{} finds light that comes by mirrors or smooth glass {}, and it hardly met one: what it may "
+      "have missed is in no error bar; {}",
+      rendering.method, words_of(end).where, words_of(end).remedy));
+}
+
+void add_doubts(Rendering& rendering, const TechniqueTally& techniques, MetByChance end) {
+  BinSums met;
+  if (end != MetByChance::sensors) met.merge(techniques.lights_met());
+  if (end != MetByChance::lights) met.merge(techniques.sensors_met());
+  const std::size_t before = rendering.warnings.size();
+  doubt_what_was_not_met(rendering, end, met);
+  if (rendering.warnings.size() > before) return;
   std::string rare = rare_techniques(techniques, rendering.film, rendering.samples);
   if (!rare.empty()) rendering.warnings.push_back(std::move(rare));
 }

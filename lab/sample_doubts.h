@@ -1,4 +1,4 @@
-// Doubts about a film of independent samples, each with its remedy, where what was seen is no evidence of what was
+// Doubts about what independent samples found, each with its remedy, where what was seen is no evidence of what was
 // not (core/film.h).
 #pragma once
 
@@ -6,21 +6,35 @@
 #include <string>
 
 #include "core/film.h"
+#include "core/scene.h"
 #include "records/rendering.h"
 
 namespace wander {
 
-// Of light that comes by mirrors or smooth glass, if there are any: do techniques find it that connect
-// vertices before and behind them, or only a subpath that meets a lamp by chance?
-enum class LightByMirrors { connected, by_chance };
+// No mirror can be connected to, so a path that has nothing else next to one of its ends is found only by a subpath that meets
+// this end by chance: the lamp (the sensor subpaths of pt), the sensor (the light subpaths of lt), or where subpaths begin
+// at both, either of them.  `nowhere`: there is no such light.
+enum class MetByChance { nowhere, lights, sensors, either };
 
-// Why few bins are called reliable, where it is for light that techniques seldom find.  Empty where most lit
-// bins have no such doubt.
+// What a method that finds it so has to meet in a scene.  A camera no light subpath meets; what a method never finds for
+// that is said elsewhere (Method::why_blind).
+template <World W>
+MetByChance met_by_chance(const Scene<W>& scene, MetByChance of_method) {
+  if (!scene.has_specular() || scene.max_vertices() < 3) return MetByChance::nowhere;
+  if (scene.camera() && of_method != MetByChance::lights) return MetByChance::nowhere;
+  return of_method;
+}
+
+// Why few bins are called reliable, where it is for light that techniques seldom find.  Empty where most bins that samples
+// enough have found have no such doubt.
 std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate& film,
                             std::uint64_t samples);
 
-// What there is to say against a film; of which no bin is reliable if lamps that light needs to be met by chance
-// hardly ever were.
-void add_doubts(Rendering& rendering, const TechniqueTally& techniques, LightByMirrors mirrors);
+// Of a film whose samples met the ends that light needs to be met by chance so often: if that is hardly ever, no bin of it is
+// reliable, and it says so.
+void doubt_what_was_not_met(Rendering& rendering, MetByChance end, const BinSums& met);
+
+// What there is to say against a film of independent samples.
+void add_doubts(Rendering& rendering, const TechniqueTally& techniques, MetByChance end);
 
 }  // namespace wander

@@ -17,13 +17,13 @@ namespace wander {
 // Makes one sample of the numbers of `rng`; `found` is empty before.
 using FilmSampler = std::function<void(Rng& rng, Contributions& found)>;
 
-// Who samples, and what is known of the light that it may miss.
+// Who samples, and what it must meet by chance to see all light.
 struct SamplingMethod {
-  SamplingMethod(const char* name, LightByMirrors mirrors = LightByMirrors::connected)
-      : name(name), mirrors(mirrors) {}
+  SamplingMethod(const char* name, MetByChance must_meet = MetByChance::nowhere)
+      : name(name), must_meet(must_meet) {}
 
   const char* name;
-  LightByMirrors mirrors;
+  MetByChance must_meet;
 };
 
 // Every unit that works at the same time has a sampler of its own, made by `make`.

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "core/image_shape.h"
+#include "lab/method.h"
 #include "statistics/number_text.h"
 
 namespace wander {
@@ -36,7 +38,11 @@ std::string steps_in_words(std::uint64_t mutations, std::uint64_t samples) {
 }
 
 std::string work_in_words(const Rendering& rendering) {
-  if (rendering.chains > 0)
+  // A film read from film.exr or film.nc does not say how many chains made it.
+  const bool has_chains = std::ranges::any_of(methods(), [&](const Method& method) {
+    return method.name == rendering.method && method.is_markov_chain();
+  });
+  if (has_chains)
     return steps_in_words(rendering.samples, rendering.pooling ? rendering.pooling->samples : 0);
   return count_in_words(static_cast<double>(rendering.samples)) + " samples";
 }

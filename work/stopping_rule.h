@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <optional>
 #include <ranges>
-#include <vector>
+#include <span>
 
 namespace wander {
 
@@ -22,39 +22,40 @@ inline std::uint64_t next_look(std::uint64_t samples, double error, double targe
   return static_cast<std::uint64_t>(std::ceil(static_cast<double>(samples) * growth));
 }
 
+// A look at the film: its relative error after so many samples, known by so many degrees of freedom.
+struct Look {
+  std::uint64_t samples = 0;
+  double error = 0, degrees_of_freedom = 0;
+
+  bool operator==(const Look&) const = default;
+};
+
 // Is there a part f of the error e that samples do not lessen, and above the target?  Of two looks, the second after g times
 // the samples, e² = f² + a/n says
 //   f² = (g e₂² - e₁²) / (g - 1).
 // That there is one is believed where e₂ lies four standard deviations above e₁ / √g: of an error known by k degrees of
-// freedom the logarithm has a standard deviation of 1 / √(2 k), so that of their ratio has 1 / √k, and the false-alarm rate is 3·10⁻⁵ a
-// look.
-class ErrorThatStays {
- public:
-  explicit ErrorThatStays(double target) : target_(target) {}
-
-  // How large it is, if it is seen at a look, each at more samples than the one before.
-  std::optional<double> seen(std::uint64_t samples, double error, double degrees_of_freedom) {
-    constexpr double deviations = 4, least_growth = 8;
-    looks_.push_back({static_cast<double>(samples), error});
-    for (const Look& before : looks_ | std::views::reverse) {
-      const double growth = static_cast<double>(samples) / before.samples;
-      if (growth < least_growth) continue;
-      const double by_chance = std::exp(deviations / std::sqrt(degrees_of_freedom)),
-                   stays = (growth * error * error - before.error * before.error) / (growth - 1);
-      if (error > by_chance * before.error / std::sqrt(growth) && stays > target_ * target_)
-        return std::sqrt(stays);
-      return {};
-    }
-    return {};
+// freedom the logarithm has a standard deviation of 1 / √(2 k), so that of their ratio has √(1 / (2 k₁) + 1 / (2 k₂)).  The last
+// look is held against those 8, 64, 512 … times before it, which an error of few degrees of freedom needs; the false-alarm rate is
+// 3·10⁻⁵ a pair.  Returned is f.
+inline std::optional<double> error_that_stays(std::span<const Look> looks, double target) {
+  constexpr double deviations = 4, least_growth = 8;
+  if (looks.empty()) return {};
+  const Look& last = looks.back();
+  double asked_for = least_growth;
+  for (const Look& before : looks | std::views::reverse) {
+    const double growth = static_cast<double>(last.samples) / static_cast<double>(before.samples);
+    if (growth < asked_for) continue;
+    asked_for *= least_growth;
+    const double deviation =
+        std::sqrt(0.5 / before.degrees_of_freedom + 0.5 / last.degrees_of_freedom);
+    const double stays =
+        (growth * last.error * last.error - before.error * before.error) / (growth - 1);
+    if (last.error > std::exp(deviations * deviation) * before.error / std::sqrt(growth) &&
+        stays > target * target)
+      return std::sqrt(stays);
   }
-
- private:
-  struct Look {
-    double samples, error;
-  };
-  double target_;
-  std::vector<Look> looks_;
-};
+  return {};
+}
 
 // So many samples that find no light at all are enough to say that there is none.
 inline constexpr std::uint64_t samples_in_the_dark = std::uint64_t{1} << 20;

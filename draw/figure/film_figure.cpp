@@ -61,9 +61,9 @@ Content prepare(const std::vector<LabelledFilm>& films, const FilmFigureOptions&
 // The error is that of the whole film, relative to the film.
 std::string summary(const LabelledFilm& film) {
   const Rendering& run = film.rendering;
-  const std::string work =
-      run.samples > 0 ? fmt::format("{}, {}, ", work_in_words(run), duration_in_words(run.seconds))
-                      : "";  // as of an exact film
+  std::string work;
+  if (run.samples > 0) work = work_in_words(run) + ", ";  // an exact film has none
+  if (std::isfinite(run.seconds) && run.seconds > 0) work += duration_in_words(run.seconds) + ", ";
   std::string text =
       fmt::format("{}: {}error {}", film.label, work, percent(relative_error(run.film)));
   return run.complete ? text : text + ", interrupted";

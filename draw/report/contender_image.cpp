@@ -37,16 +37,17 @@ figure::PixelMap error_map(const Films& runs, const FilmEstimate& reference) {
   const double unit = mean_of(reference);
   figure::PixelMap map = map_over(shape);
   for (std::size_t p = 0; p < shape.pixels(); ++p) {
-    double square = 0, size = 0;
+    double square = 0, own = 0, size = 0;
     for (std::size_t i = p * shape.channels; i < (p + 1) * shape.channels; ++i) {
       for (const Run* run : runs)
         square += squared((run->film.value[i] - reference.value[i]) / unit) /
                   static_cast<double>(runs.size());
       if (std::isfinite(reference.standard_error[i]))
-        square -= squared(reference.standard_error[i] / unit);
+        own += squared(reference.standard_error[i] / unit);
       size += squared(reference.value[i] / unit) + squared(0.01);
     }
-    if (square > 0) map.values[p] = std::sqrt(square / size);  // else less than the reference knows
+    // Else less than the reference knows; what it knows exactly, such as a void, may be right.
+    if (square > own || own == 0) map.values[p] = std::sqrt((square - own) / size);
   }
   return map;
 }

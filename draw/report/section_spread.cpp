@@ -81,12 +81,13 @@ figure::Dimension value_dimension(const Subject& subject) {
   return dimension;
 }
 
-// Of the lit ones.
-std::size_t values_outside(const Subject& subject, const std::optional<figure::Range>& axis) {
-  if (!axis) return 0;
+// On a logarithmic axis, of the lit ones.
+std::size_t values_outside(const Subject& subject, const figure::Dimension& axis) {
+  if (!axis.range) return 0;
+  const bool has_zero = axis.spacing != figure::Spacing::logarithmic;
   const std::vector<double> values = drawn_values(subject);
   return static_cast<std::size_t>(std::ranges::count_if(values, [&](double value) {
-    return value > axis->high || (value > 0 && value < axis->low);
+    return value > axis.range->high || (value < axis.range->low && (has_zero || value > 0));
   }));
 }
 
@@ -97,18 +98,21 @@ void write_seeds(Html& html, const Subject& subject) {
       std::clamp<std::size_t>(most_points / std::max<std::size_t>(1, lines), 40, most_spread_steps);
   figure::Chart chart{
       .x = film_dimension(subject), .y = value_dimension(subject), .panel_height = 70};
-  const std::size_t outside = values_outside(subject, chart.y.range);
+  const std::size_t outside = values_outside(subject, chart.y);
   for (std::size_t k = 0; k < subject.contenders(); ++k)
     chart.panels.push_back(seeds_panel(subject, k, steps));
-  write_panels(html, chart, "All replicates at the last budget",
-               "The film of every seed of each contender, one over the other, with the reference.",
-               "Every replicate of each contender as a thin line, the reference as a thick one. "
-               "Lines that fan out are noise; lines that go together but leave the reference are "
-               "bias; one line apart from the rest is a run that has missed something." +
-                   std::string(chart.y.spacing == figure::Spacing::logarithmic
-                                   ? " The axis is logarithmic, and what is dark is left out."
-                                   : "") +
-                   (outside > 0 ? fmt::format(" Beyond the axis are {} values.", outside) : ""));
+  write_panels(
+      html, chart, "All replicates at the last budget",
+      "The film of every seed of each contender, one over the other, with the reference.",
+      "Every replicate of each contender as a thin line, the reference as a thick one. "
+      "Lines that fan out are noise; lines that go together but leave the reference are "
+      "bias; one line apart from the rest is a run that has missed something." +
+          std::string(chart.y.spacing == figure::Spacing::logarithmic
+                          ? " The axis is logarithmic, and what is dark is left out."
+                          : "") +
+          (outside > 0 ? fmt::format(" Beyond the axis {} {}.", outside == 1 ? "is" : "are",
+                                     counted(outside, "value"))
+                       : ""));
 }
 
 // Replicates that happen to agree in a bin have a ratio near zero, which nobody needs to see.

@@ -16,7 +16,7 @@ namespace wander {
 // The seed of the pilot of a run with this seed.
 std::uint64_t seed_of_pilot(std::uint64_t seed);
 
-// Of each chain: those it has made, and those that it will have made when the pilot ends.
+// Of each chain: those it has made, and those that it is to have made when the pilot ends.
 struct PilotSteps {
   std::uint64_t so_far = 0, in_all = 0;
 };
@@ -33,8 +33,8 @@ Pilot pilot_of(std::span<const TrialFindings> groups, const BinWorth& worth, Pil
 // with the states of `pilot`, which are weighed by a.  A chain of few steps has not come far from where it began, and
 // one that was caught alone would speak for all: Var_g is but for the one that is farthest off.  In long chains it is what
 // the chains of a run will do, too, and more often: Var_g is of all, and they are asked how evenly they know the
-// hard light.  Chains are long if they will be when the pilot ends, so that one Var_g is held against the same of an
-// earlier part.
+// hard light.  Chains are long if they are meant to be when the pilot ends (`in_all`; a budget of time may end it before), so
+// that one Var_g is held against the same of an earlier part.
 inline constexpr std::uint64_t steps_of_long_pilot = 1 << 14;  // of each chain
 std::vector<Pilot::Border> borders_of(std::span<const TrialFindings> groups, const BinWorth& worth,
                                       const Pilot& pilot, std::span<const Partition> borders,

@@ -149,6 +149,7 @@ class SeedSlice {
       measure += found.measure;
       light += found.light;
       by_length_[static_cast<std::size_t>(x.size()) - 2] += found.light;
+      if (x.size() > 2 && (s == 0 || s == x.size())) tally_.ends_met.add(found.light);
       if constexpr (Seeds::ratios == Ratios::of_paths)
         evidence_.ratios[Seeds::stratum(x.size())].add(found.measure, of_bin.light_of_measure);
       if (takes_seeds_) keep(x, found, index);

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/film.h"
 #include "core/technique_table.h"
 #include "statistics/sum.h"
 
@@ -25,6 +26,7 @@ struct SeedTally {
   Sum total, total_squares;
   Sum measure;                // Σ w f v/p: where there is no map, the same as `total`
   TechniqueTable techniques;  // of that, of each
+  BinSums ends_met;           // by chance: light of three vertices and more by s = 0 or t = 0
 
   explicit SeedTally(int max_vertices)
       : sum(static_cast<std::size_t>(max_vertices) - 1),
@@ -40,6 +42,7 @@ struct SeedTally {
     total += other.total;
     measure += other.measure;
     total_squares += other.total_squares;
+    ends_met.merge(other.ends_met);
     for (std::size_t i = 0; i < techniques.values().size(); ++i)
       techniques.values()[i] += other.techniques.values()[i];
   }
@@ -61,7 +64,7 @@ struct SeedTally {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(samples, rays, sum, squares, total, total_squares, measure, techniques);
+    archive(samples, rays, sum, squares, total, total_squares, measure, techniques, ends_met);
   }
 };
 

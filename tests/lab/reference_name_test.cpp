@@ -19,10 +19,11 @@ TEST(ReferenceName, IsWhatIsKnownOfIt) {
 }
 
 TEST(WorkInWords, TellsStepsFromSamples) {
-  Rendering rendering;
+  Rendering rendering;  // also of a film.nc, which does not say how many chains there were
   rendering.samples = 300'000;
+  rendering.method = "bdpt";
   EXPECT_EQ(work_in_words(rendering), "300 k samples");
-  rendering.chains = 64;
+  rendering.method = "mlt";
   EXPECT_EQ(work_in_words(rendering), "300 k mutations");
   rendering.pooling = PoolingRecord{.samples = 711'000};
   EXPECT_EQ(work_in_words(rendering), "300 k mutations, 711 k samples");

@@ -32,25 +32,56 @@ TEST(RareTechniques, AreToldWhereTheyTakeTheTrustFromMostBins) {
   EXPECT_EQ(reliable_bins(dim.estimate(shape)), 2u);
   EXPECT_EQ(reliable_bins(bright.estimate(shape)), 0u);
   const std::string said = said_of(bright);
-  EXPECT_TRUE(said.starts_with("2 of 2 lit bins cannot be called reliable: ")) << said;
+  EXPECT_TRUE(
+      said.starts_with("2 of 2 bins that samples enough have found cannot be called reliable: "))
+      << said;
   EXPECT_NE(said.find("most of it (4, 2), (5, 0), carry 4.08 % of the film"), std::string::npos)
       << said;
 }
 
+// Bins that are not reliable for want of samples alone say nothing of techniques.
+TEST(RareTechniques, AreNotBlamedForBinsOfFewSamples) {
+  SampleFilm film(8, 5);
+  for (int i = 0; i < 640; ++i) film.add({{2, 1, i % 8, i % 16 < 8 ? 1.0 : 3.0}});
+  film.add({{4, 2, 0, 40}});
+  const FilmEstimate estimate = film.estimate(std::array{8});
+  EXPECT_EQ(reliable_bins(estimate), 0u);
+  EXPECT_EQ(rare_techniques(film.techniques(), estimate, film.samples()), "");
+}
+
+// What was met: so often a lamp by s = 0, and a sensor by t = 0, of so many vertices.
+struct Met {
+  int vertices, lamps, sensors;
+};
+bool doubted(Met met, MetByChance end) {
+  SampleFilm film = film_seen(0);
+  for (int i = 0; i < met.lamps; ++i) film.add({{met.vertices, 0, i % 2, 0.01}});
+  for (int i = 0; i < met.sensors; ++i) film.add({{met.vertices, met.vertices, i % 2, 0.01}});
+  Rendering rendering{.method = "pt", .samples = film.samples(), .film = film.estimate(shape)};
+  add_doubts(rendering, film.techniques(), end);
+  EXPECT_EQ(reliable_bins(rendering.film), rendering.warnings.empty() ? 2u : 0u);
+  return !rendering.warnings.empty();
+}
+
 // Five effective hits are as many as the rule for rare techniques can judge by.
 TEST(SampleDoubts, NoBinIsReliableWhereNoLampWasMetThatHadToBe) {
-  const auto doubted = [](int hits, LightByMirrors mirrors) {
-    SampleFilm film = film_seen(0);
-    for (int i = 0; i < hits; ++i) film.add({{3, 0, i % 2, 0.01}});
-    Rendering rendering{.method = "pt", .samples = film.samples(), .film = film.estimate(shape)};
-    add_doubts(rendering, film.techniques(), mirrors);
-    EXPECT_EQ(reliable_bins(rendering.film), rendering.warnings.empty() ? 2u : 0u);
-    return !rendering.warnings.empty();
-  };
-  EXPECT_TRUE(doubted(0, LightByMirrors::by_chance));
-  EXPECT_TRUE(doubted(4, LightByMirrors::by_chance));
-  EXPECT_FALSE(doubted(5, LightByMirrors::by_chance));
-  EXPECT_FALSE(doubted(0, LightByMirrors::connected));
+  EXPECT_TRUE(doubted({3, 0, 0}, MetByChance::lights));
+  EXPECT_TRUE(doubted({3, 4, 9}, MetByChance::lights));
+  EXPECT_FALSE(doubted({3, 5, 0}, MetByChance::lights));
+  EXPECT_TRUE(doubted({2, 9, 0}, MetByChance::lights)) << "no mirror is between two vertices";
+  EXPECT_FALSE(doubted({3, 0, 0}, MetByChance::nowhere));
+}
+
+TEST(SampleDoubts, NoBinIsReliableWhereNoSensorWasMetThatHadToBe) {
+  EXPECT_TRUE(doubted({3, 9, 4}, MetByChance::sensors));
+  EXPECT_FALSE(doubted({3, 0, 5}, MetByChance::sensors));
+  EXPECT_TRUE(doubted({2, 0, 9}, MetByChance::sensors));
+}
+
+TEST(SampleDoubts, NoBinIsReliableWhereNeitherEndWasMetAndOneHadToBe) {
+  EXPECT_TRUE(doubted({3, 2, 2}, MetByChance::either));
+  EXPECT_FALSE(doubted({3, 5, 0}, MetByChance::either));
+  EXPECT_FALSE(doubted({4, 0, 5}, MetByChance::either));
 }
 
 TEST(RareTechniques, AreNoMatterOfAFilmWithoutLight) {

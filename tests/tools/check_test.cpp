@@ -83,6 +83,32 @@ TEST_F(CommandLine, CheckHoldsNothingAgainstAMethodThatCannotMeetALamp) {
   EXPECT_EQ(by_lt["film"]["reliable"], json::array({true, true, true, true}));
 }
 
+// Lamp and sensor of 10 μm, and what a mirror shows of one to the other: only a subpath that meets one of them finds it, and none does.
+constexpr const char* tiny_ends_text = R"({
+  "format": "wanderlight-scene/1", "dimension": 2, "max_vertices": 4,
+  "materials": { "silver": { "type": "mirror", "reflectance": 0.95 } },
+  "shapes": [
+    { "type": "segment", "from": [0, 0], "to": [0.00001, 0], "sensor": { "bins": 2 } },
+    { "type": "segment", "from": [0.50001, 0.5], "to": [0.5, 0.5], "light": { "radiance": 5 } },
+    { "type": "segment", "from": [1, -1], "to": [1, 2], "material": "silver" } ] })";
+
+TEST_F(CommandLine, WhatNoSubpathMetIsDoubtedByAllMethodsThatHaveToMeetIt) {
+  write("ends.json", tiny_ends_text);
+  const auto rendered = [&](const std::string& arguments) {
+    return json::parse(
+        wander("render ends.json -b 20k --json -q -t 1 -o run --force -m " + arguments).out);
+  };
+  for (const std::string method :
+       {"pt", "lt", "bdpt", "mlt", "mlt --film chains", "pssmlt", "mmlt"}) {
+    const json run = rendered(method), direct = rendered(method + " --max-vertices 2");
+    EXPECT_EQ(run["film"]["reliable"], json::array({false, false})) << method;
+    EXPECT_HAS(run["warnings"].dump(), "what it may have missed is in no error bar");
+    EXPECT_EQ(direct["film"]["reliable"], json::array({true, true}))
+        << method << ": no mirror in two";
+    EXPECT_LACKS(direct["warnings"].dump(), "no error bar");
+  }
+}
+
 // A pinhole sees a ball of silver: light tracing knows nothing of what comes by it, so nothing of any bin.
 TEST_F(CommandLine, AMethodThatMissesLightCallsNoBinReliable) {
   json scene = json::parse(box);
@@ -105,6 +131,8 @@ TEST_F(CommandLine, AMethodThatMissesLightCallsNoBinReliable) {
               json::array({method[0] == 'b', method[0] == 'b', method[0] == 'b', method[0] == 'b'}))
         << method;
   }
+  const Outcome direct = wander("render seen.json -m lt -b 1k --max-vertices 2 -o direct");
+  EXPECT_LACKS(direct.err, "a mirror") << "no mirror is between two vertices";
 }
 
 // Where samples go on beside each step, the first look comes after as much work as it does without.

@@ -134,17 +134,20 @@ TEST(ContenderImage, HasTheErrorsOfItsPixels) {
   runs.provenance.scene_text = grey_room(4, 2);
   runs.contenders = {{"pt", "pt"}};
   runs.reference.film = even(4, 2, 2);
+  runs.reference.film.value[7] = runs.reference.film.standard_error[7] = 0;
   for (std::size_t r = 0; r < 2; ++r) {
     runs.runs.push_back({0, 0, r, r + 1, 100, 1, 0, 0, even(4, 2, 2)});
     runs.runs.back().film.value[5] = r == 0 ? 3 : 2.5;
     runs.runs.back().film.value[6] = r == 0 ? 2.5 : 1.5;
+    runs.runs.back().film.value[7] = 0;
   }
   const Comparison made = compare::summarize(runs);
   const auto image = report::image_of({made, report::scene_of(made)}, 0);
   ASSERT_TRUE(image);
   EXPECT_EQ(image->run.replicate, 0u);
   EXPECT_TRUE(std::isnan(image->error.values[0])) << "the reference knows no more";
-  const double size = 4 + 1e-4 * 4;
+  EXPECT_EQ(image->error.values[7], 0) << "nothing is there, and nothing was found";
+  const double size = 4 + 1e-4 * 1.75 * 1.75;
   EXPECT_NEAR(image->error.values[5], std::sqrt((0.625 - 1e-4) / size), 1e-12);
   EXPECT_EQ(image->z.values[0], 0);
   EXPECT_NEAR(image->z.values[5], 0.75 / std::sqrt(0.125 / 2 + 1e-4), 1e-9);
