@@ -2,17 +2,13 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cereal/archives/binary.hpp>
 #include <cmath>
 #include <limits>
-#include <new>
 #include <optional>
-#include <sstream>
-#include <stdexcept>
-#include <streambuf>
 #include <utility>
 
 #include "core/film_statistics.h"
+#include "lab/run_state.h"
 #include "mlt/seeds/nothing_found.h"
 #include "work/pace.h"
 
@@ -31,11 +27,6 @@ std::string warning_of_what_stays(double error, double target) {
       "independent samples are made, and mutations do not lessen what these left unknown; make the "
       "run anew with this budget",
       100 * error, 100 * target);
-}
-
-void write_state(const LiveRun& run, std::ostream& bytes) {
-  cereal::BinaryOutputArchive archive(bytes);
-  run.save(archive);
 }
 
 class Drive {
@@ -295,15 +286,6 @@ class Drive {
   double fraction_of_error_ = 0;               // of the way to the target, when last seen
 };
 
-// A string that is read without being copied.
-class Bytes : public std::streambuf {
- public:
-  explicit Bytes(const std::string& text) {
-    char* begin = const_cast<char*>(text.data());  // a buffer to read from is not written to
-    setg(begin, begin, begin + text.size());
-  }
-};
-
 }  // namespace
 
 ChainSettings fitted(ChainSettings settings, const Budget& budget) {
@@ -317,40 +299,6 @@ ChainSettings fitted(ChainSettings settings, const Budget& budget) {
 
 Rendering drive(LiveRun& run, Run& execution, const Headway& begin, const Keeper& keeper) {
   return Drive(run, execution, begin, keeper).to_the_end();
-}
-
-std::string state_of(const LiveRun& run) {
-  std::ostringstream bytes;
-  write_state(run, bytes);
-  return std::move(bytes).str();
-}
-
-namespace {
-
-// For what a whole state becomes in memory: about its own size.
-bool is_room_for(std::size_t bytes) {
-  constexpr std::size_t times = 4;
-  void* room = ::operator new(bytes* times, std::nothrow);
-  ::operator delete(room);
-  return room != nullptr;
-}
-
-}  // namespace
-
-void restore(LiveRun& run, const std::string& state) {
-  Bytes buffer(state);
-  std::istream bytes(&buffer);
-  cereal::BinaryInputArchive archive(bytes);
-  try {
-    run.load(archive);
-  } catch (const std::bad_alloc&) {
-    if (!is_room_for(state.size())) throw;
-    throw std::runtime_error("it promises more than it holds");
-  } catch (const std::exception&) {  // whose words are those of a library
-    throw std::runtime_error("it ends too early, or promises more than it holds");
-  }
-  if (bytes.peek() != std::istream::traits_type::eof())
-    throw std::runtime_error("the state of a run has bytes that are not its own");
 }
 
 }  // namespace wander

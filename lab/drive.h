@@ -48,8 +48,4 @@ ChainSettings fitted(ChainSettings settings, const Budget& budget);
 // more, so that it can be carried on with the bits of one that never stopped.
 Rendering drive(LiveRun& run, Run& execution, const Headway& begin = {}, const Keeper& keeper = {});
 
-// The state of a run, and its way back; throws std::exception if the bytes are not of such a run.
-std::string state_of(const LiveRun& run);
-void restore(LiveRun& run, const std::string& state);
-
 }  // namespace wander

@@ -19,6 +19,7 @@
 #include "lab/failure.h"
 #include "lab/held_run.h"
 #include "lab/render.h"
+#include "lab/run_state.h"
 #include "lab/worlds.h"
 #include "mlt/run/mmlt_group.h"
 #include "mlt/run/pssmlt_group.h"

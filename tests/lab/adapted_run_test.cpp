@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/drive.h"
+#include "lab/run_state.h"
 #include "lab/scene_source.h"
 #include "lab/world_methods.h"
 #include "records/run_json.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "lab/drive.h"
+#include "lab/run_state.h"
 #include "lab/scene_source.h"
 #include "lab/world_methods.h"
 

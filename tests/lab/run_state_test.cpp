@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "lab/drive.h"
+#include "lab/run_state.h"
 #include "lab/world_methods.h"
 #include "records/run_json.h"
 #include "tests/support/test_scenes.h"
