@@ -56,7 +56,8 @@ Scene<W>::Scene(SceneParts<W> parts)
       max_vertices_(parts.max_vertices) {
   for (const int n : resolution_) bins_ *= n;
   textures_.resize(materials_.size());
-  double power = 0;
+  double power = 0;  // of all lights
+  std::vector<double> powers;
   for (const auto& part : parts.parts) {
     const auto id = static_cast<ShapeId>(shapes_.size());
     const Material<W>& material = materials_[part.material];
@@ -76,11 +77,11 @@ Scene<W>::Scene(SceneParts<W> parts)
     if (part.is_sensor) sensor_ = id;
     if (!(part.radiance > 0)) continue;
     lights_.push_back(id);
-    light_pmf_.push_back(static_cast<double>(part.radiance) *
-                         static_cast<double>(measure<W>(part.shape)));
-    power += light_pmf_.back();
+    powers.push_back(static_cast<double>(part.radiance) *
+                     static_cast<double>(measure<W>(part.shape)));
+    power += powers.back();
   }
-  for (double& p : light_pmf_) p /= power;
+  light_choice_ = LightChoice(powers);
   for (const ShapeId id : lights_) {
     Surface<W>& light = surfaces_[static_cast<std::size_t>(id)];
     light.light_density = static_cast<Real>(static_cast<double>(light.radiance) / power);

@@ -12,6 +12,7 @@
 
 #include "core/camera.h"
 #include "core/geometry/accelerator.h"
+#include "core/light_choice.h"
 #include "core/material.h"
 
 namespace wander {
@@ -84,8 +85,8 @@ class Scene {
 
   const Surface<W>& surface(ShapeId id) const { return surfaces_[static_cast<std::size_t>(id)]; }
   const Shape<W>& shape(ShapeId id) const { return shapes_[static_cast<std::size_t>(id)]; }
-  std::span<const ShapeId> lights() const { return lights_; }
-  std::span<const double> light_pmf() const { return light_pmf_; }
+  std::span<const ShapeId> lights() const { return lights_; }        // ascending
+  const LightChoice& light_choice() const { return light_choice_; }  // by index in lights()
 
   bool has_specular() const;
 
@@ -116,7 +117,7 @@ class Scene {
   std::vector<Material<W>> materials_;
   std::vector<std::shared_ptr<const Texture>> textures_;
   std::vector<ShapeId> lights_;
-  std::vector<double> light_pmf_;
+  LightChoice light_choice_;
   SceneAccelerator<W> accelerator_;
   ShapeId sensor_ = no_shape;
   std::optional<Camera<W>> camera_;

@@ -48,11 +48,7 @@ Event undecided(const Surface<W>& surface) {
 
 template <World W>
 void Transport<W>::begin_light(Path<W>& x, int i, PointNumbers<W> u) const {
-  const auto pmf = scene_->light_pmf();
-  std::size_t light = 0;
-  double left = u.light;
-  while (light + 1 < pmf.size() && left >= pmf[light]) left -= pmf[light++];
-  const ShapeId shape = scene_->lights()[light];
+  const ShapeId shape = scene_->lights()[scene_->light_choice()(u.light)];
   const auto point =
       visit_shape([&](const auto& s) { return s.sample(u.position); }, scene_->shape(shape));
   place<W>(x[i], point, shape, Event::emission);
@@ -318,10 +314,9 @@ PointNumbers<W> Transport<W>::inverted_point(const Path<W>& x, int i) const {
 
 template <World W>
 double Transport<W>::light_choice(ShapeId shape, double u) const {
-  double before = 0;
-  std::size_t light = 0;
-  while (scene_->lights()[light] != shape) before += scene_->light_pmf()[light++];
-  return before + u * scene_->light_pmf()[light];
+  const auto lights = scene_->lights();
+  const auto light = std::ranges::lower_bound(lights, shape) - lights.begin();
+  return scene_->light_choice().number(static_cast<std::size_t>(light), u);
 }
 
 template <World W>

@@ -29,6 +29,13 @@ std::string warning_of_what_stays(double error, double target) {
       100 * error, 100 * target);
 }
 
+std::string warning_of_unknown_error(double target) {
+  return fmt::format(
+      "nothing tells the error of the film, so nobody knows whether it is below the {:.2g} % asked "
+      "for; take a budget of samples or time",
+      100 * target);
+}
+
 class Drive {
  public:
   Drive(LiveRun& run, Run& execution, const Headway& begin, const Keeper& keeper)
@@ -190,7 +197,10 @@ class Drive {
       Rendering r = findings();
       const double error = relative_error(r.film);
       if (error <= target || execution_.is_interrupted()) return r;
-      if (!std::isfinite(error) && run_.samples() >= samples_in_the_dark) return r;
+      if (!std::isfinite(error) && run_.samples() >= samples_in_the_dark) {
+        if (mean_value(r.film) > 0) r.warnings.push_back(warning_of_unknown_error(target));
+        return r;
+      }
       if (const auto stays = what_stays(r.film, target)) {
         r.warnings.push_back(warning_of_what_stays(*stays, target));
         return r;

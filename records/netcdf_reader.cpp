@@ -47,6 +47,13 @@ std::string text_of(int group, int variable, const char* name) {
   std::size_t length = 0;
   nc_type type{};
   check(nc_inq_att(group, variable, name, &type, &length), name);
+  if (type == NC_STRING && length == 1) {
+    char* begin = nullptr;
+    check(nc_get_att_string(group, variable, name, &begin), name);
+    std::string text = begin ? begin : "";
+    nc_free_string(1, &begin);
+    return text;
+  }
   if (type != NC_CHAR) throw Error(fmt::format("{}: not a text", name));
   std::string text(length, '\0');
   check(nc_get_att_text(group, variable, name, text.data()), name);
@@ -140,10 +147,13 @@ std::string Reader::Group::text(const std::string& name) const {
   return text_of(id_, NC_GLOBAL, name.c_str());
 }
 
-bool Reader::Group::is_text(const std::string& name) const { return type_of(id_, name) == NC_CHAR; }
+bool Reader::Group::is_text(const std::string& name) const {
+  const nc_type type = type_of(id_, name);
+  return type == NC_CHAR || type == NC_STRING;
+}
 bool Reader::Group::is_whole(const std::string& name) const {
   const nc_type type = type_of(id_, name);
-  return type != NC_CHAR && type != NC_FLOAT && type != NC_DOUBLE;
+  return type != NC_CHAR && type != NC_STRING && type != NC_FLOAT && type != NC_DOUBLE;
 }
 
 bool Reader::Group::has(const std::string& name) const {

@@ -17,6 +17,10 @@ namespace {
 
 constexpr std::size_t first_size = 1 << 16;
 
+// HDF5 keeps an attribute in the header of its group, which has room for 64 KB; a string, NC_STRING, lies elsewhere, and may be of any
+// length.
+constexpr std::size_t longest_in_header = 1 << 15;
+
 // The file grows by being copied, and each variable has parts of its own that wait for it.  Much is
 // not asked for: it becomes smaller, and a run that needs much memory has looked before it began.
 void require_memory(std::size_t bytes) {
@@ -45,7 +49,13 @@ void Writer::dimension(const std::string& name, std::size_t length) const {
 }
 
 void Writer::attribute(const std::string& name, std::string_view text) const {
-  check(nc_put_att_text(id_, NC_GLOBAL, name.c_str(), text.size(), text.data()), name);
+  if (text.size() <= longest_in_header) {
+    check(nc_put_att_text(id_, NC_GLOBAL, name.c_str(), text.size(), text.data()), name);
+  } else {
+    const std::string ended(text);
+    const char* begin = ended.c_str();
+    check(nc_put_att_string(id_, NC_GLOBAL, name.c_str(), 1, &begin), name);
+  }
 }
 void Writer::attribute(const std::string& name, double value) const {
   check(nc_put_att_double(id_, NC_GLOBAL, name.c_str(), NC_DOUBLE, 1, &value), name);

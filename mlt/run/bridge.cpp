@@ -94,6 +94,8 @@ class Cells {
     RatioHistogram found, states;
     for (const BridgeGroup& g : groups) {
       samples_ += g.samples;
+      found_count_ += g.found->count();
+      state_count_ += g.states->count();
       found.add(*g.found, 1);
       states.add(*g.states, g.state_weight);
       state_mass_.push_back(g.state_weight * g.states->count());
@@ -118,21 +120,36 @@ class Cells {
   bool has_states() const { return all_states_ > 0; }
   std::span<const Cell> all() const { return cells_; }
 
-  // Written into `cells`.  False: nothing is left of one side.
-  bool without(std::size_t group, std::vector<Cell>& cells) const {
+  // What is left of a side without a group, but for rounding.
+  bool has_samples_without(std::size_t group) const { return samples_ > groups_[group].samples; }
+  bool has_found_without(std::size_t group) const {
+    return found_count_ > (1 + rounding) * groups_[group].found->count();
+  }
+  bool has_states_without(std::size_t group) const {
+    return state_count_ > (1 + rounding) * groups_[group].states->count();
+  }
+  // The direct estimate, of samples alone.
+  double direct_without(std::size_t group) const {
+    const BridgeGroup& g = groups_[group];
+    double total = 0;
+    for (std::size_t k = 0; k < cells_.size(); ++k)
+      total += std::max(0.0, cells_[k].found * samples_ * cells_[k].found_ratio * direct_ -
+                                 (*g.found)[bins_[k]].sum);
+    return total / (samples_ - g.samples);
+  }
+  // Where something is left of both sides.
+  std::vector<Cell> without(std::size_t group) const {
     const BridgeGroup& g = groups_[group];
     const double samples = samples_ - g.samples, states = all_states_ - state_mass_[group];
-    if (!(samples > 0) || !(states > 0)) return false;
-    double found = 0;
+    std::vector<Cell> cells(cells_.size());
     for (std::size_t k = 0; k < cells_.size(); ++k) {
       const Cell& c = cells_[k];
       const double their_states = g.state_weight * (*g.states)[bins_[k]].count;
       cells[k] = {c.found_ratio, c.state_ratio,
                   std::max(0.0, c.found * samples_ - (*g.found)[bins_[k]].count) / samples,
                   std::max(0.0, c.states * all_states_ - their_states) / states};
-      found += cells[k].found;
     }
-    return found > 0;
+    return cells;
   }
 
   // Σ over cells of a group: found paths weighted by h, states by m.
@@ -154,8 +171,10 @@ class Cells {
   double state_mass() const { return all_states_; }
 
  private:
+  static constexpr double rounding = 1e-9;
+
   std::span<const BridgeGroup> groups_;
-  double samples_ = 0, all_states_ = 0, direct_ = 0;
+  double samples_ = 0, all_states_ = 0, direct_ = 0, found_count_ = 0, state_count_ = 0;
   std::vector<double> state_mass_;
   std::vector<Cell> cells_;
   std::vector<int> bins_;
@@ -199,6 +218,16 @@ double effective_samples(const Cells& cells, double balance, double beta) {
   return spread > 0 ? std::min(mean * mean / spread, cells.samples()) : cells.samples();
 }
 
+// b of all groups but one.  Where only this one found anything, nothing; where only its chains made states, what samples say.
+double b_without(const Cells& cells, std::size_t group, double balance, double beta) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  if (!cells.has_samples_without(group)) return unknown;
+  if (!cells.has_found_without(group)) return 0;
+  if (!cells.has_states_without(group)) return cells.direct_without(group);
+  const std::optional<double> part = refined(cells.without(group), balance, beta);
+  return part ? cells.direct() * std::exp(*part) : unknown;
+}
+
 }  // namespace
 
 BridgeFit bridge(std::span<const BridgeGroup> groups) {
@@ -220,13 +249,8 @@ BridgeFit bridge(std::span<const BridgeGroup> groups) {
   fit.b = cells.direct() * std::exp(*beta);
   fit.effective_samples = effective_samples(cells, fit.balance, *beta);
   fit.without.resize(groups.size());
-  in_parallel(groups.size(), [&](std::size_t g) {
-    std::vector<Cell> rest(cells.all().size());
-    std::optional<double> part;
-    if (cells.without(g, rest)) part = refined(rest, fit.balance, *beta);
-    fit.without[g] =
-        part ? cells.direct() * std::exp(*part) : std::numeric_limits<double>::quiet_NaN();
-  });
+  in_parallel(groups.size(),
+              [&](std::size_t g) { fit.without[g] = b_without(cells, g, fit.balance, *beta); });
   return fit;
 }
 

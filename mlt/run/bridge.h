@@ -32,7 +32,8 @@ struct BridgeGroup {
 
 struct BridgeFit {
   double b = 0;
-  std::vector<double> without;  // b from all groups but one, for the jackknife
+  // b from all groups but one, for the jackknife: 0 where these found nothing, NaN where they tell nothing.
+  std::vector<double> without;
   // How many independent events would know the seed pass's side as well as its groups do, but no
   // more than it has samples.
   double effective_samples = 0;

@@ -78,6 +78,9 @@ Constant from_bridge(std::span<const GroupFindings> groups) {
     constant.effective_samples += fit.effective_samples;
     for (std::size_t g = 0; g < groups.size(); ++g) constant.without[g] += fit.without[g];
   }
+  // A stratum that one group alone found is dark without it; of a film that one alone found nobody knows the error.
+  for (double& b : constant.without)
+    if (b == 0) b = std::numeric_limits<double>::quiet_NaN();
   constant.b.standard_error = jackknife_error(constant.without, weights_of(groups));
   constant.degrees_of_freedom = degrees_of(constant);
   return constant;

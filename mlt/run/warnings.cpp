@@ -209,6 +209,10 @@ Disagreement disagreement(const Draws& draws, std::size_t chains_per_group) {
 std::string dominated_film(const FilmEstimate& film, int groups) {
   if (groups <= 2 * fewest_film_degrees || !(film.degrees_of_freedom < fewest_film_degrees))
     return {};
+  if (!std::isfinite(relative_error(film)))
+    return "nobody knows the error of the film: so few groups of chains found its light that "
+           "without one "
+           "of them there is none; take a larger budget, or other seeds";
   return fmt::format(
       "the error of the film, {} %, rests on {:.0f} of {} groups of chains ({} degrees of "
       "freedom): "

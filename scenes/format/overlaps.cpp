@@ -130,7 +130,13 @@ class OfPassive {
       for_each_face(shape.kind, [&](const Face& face) { extent.include(extent_of(face)); });
       all_.include(extent);
     }
-    if (scene.camera) all_.include(position_of(*scene.camera));
+    for (std::size_t i = 0; i < scene.shapes.size(); ++i)
+      if (has_role(scene.shapes[i])) ends_.push_back(extents_[i]);
+    if (scene.camera) {
+      all_.include(position_of(*scene.camera));
+      ends_.emplace_back().include(position_of(*scene.camera));
+    }
+    for (const Extent& end : ends_) all_ends_.include(end);
     for (std::size_t i = 0; i < scene.shapes.size(); ++i)
       is_dark_within_.push_back(!lets_light_through(scene, scene.shapes[i]) &&
                                 !holds_an_end(extents_[i]));
@@ -213,13 +219,11 @@ class OfPassive {
     return is_dark_within_[shape] && highest(own, normal, plane) > rounding_ &&
            highest(own, -normal, plane) <= rounding_;
   }
-  bool holds_an_end(const Extent& body) const {
-    for (std::size_t i = 0; i < scene_.shapes.size(); ++i)
-      if (has_role(scene_.shapes[i]) && extents_[i].meets(body, 0)) return true;
-    if (!scene_.camera) return false;
-    Extent camera;
-    camera.include(position_of(*scene_.camera));
-    return camera.meets(body, 0);
+  // A light, a sensor or the camera; not said of more pairs than are looked at.
+  bool holds_an_end(const Extent& body) {
+    if (!body.meets(all_ends_, 0) || pairs_of_ends_ > most_passive_pairs) return false;
+    pairs_of_ends_ += ends_.size();
+    return std::ranges::any_of(ends_, [&](const Extent& end) { return end.meets(body, 0); });
   }
   static double highest(const Extent& extent, Point normal, const Sheet& plane) {
     double most = -Extent::infinity;
@@ -236,6 +240,9 @@ class OfPassive {
   std::vector<Extent> extents_;       // of the shapes
   std::vector<bool> is_dark_within_;  // likewise, as bodies
   Extent all_;                        // of them and the camera
+  std::vector<Extent> ends_;          // of lights, sensors and the camera
+  Extent all_ends_;
+  std::size_t pairs_of_ends_ = 0;
   std::vector<Overlap> found_;
 };
 

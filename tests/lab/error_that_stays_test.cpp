@@ -48,8 +48,8 @@ class RunOfFewSamples final : public CountingRun {
   double degrees_of_freedom_;
 };
 
-Rendering to_error(RunOfFewSamples& run, double error, const Headway& begin = {},
-                   const Keeper& keeper = {}, const std::atomic<bool>* interrupted = nullptr) {
+Rendering to_error(LiveRun& run, double error, const Headway& begin = {}, const Keeper& keeper = {},
+                   const std::atomic<bool>* interrupted = nullptr) {
   Session session;
   session.budget = ErrorBudget{error};
   session.threads = 1;
@@ -111,6 +111,31 @@ TEST(ErrorThatStays, IsNotThatOfARunThatGetsThere) {
   EXPECT_LE(relative_error(far.film), of_samples / 20);
   EXPECT_TRUE(reached.warnings.empty());
   EXPECT_TRUE(far.warnings.empty());
+}
+
+class RunOfUnknownError final : public CountingRun {
+ public:
+  explicit RunOfUnknownError(double value) : CountingRun(30, 0), value_(value) {}
+
+  Rendering findings() const override {
+    Rendering r = CountingRun::findings();
+    r.film.value = {value_};
+    r.film.standard_error = {std::nan("")};
+    return r;
+  }
+
+ private:
+  double value_;
+};
+
+// A film without light is as dark as it will be; of another its record says that nothing tells its error.
+TEST(ErrorThatIsUnknown, EndsARunWhichSaysSo) {
+  for (const double value : {0., 1.}) {
+    RunOfUnknownError run(value);
+    const Rendering r = to_error(run, 0.1);
+    EXPECT_LT(run.samples(), 4 * samples_in_the_dark);
+    EXPECT_EQ(r.warnings.size(), value > 0 ? 1u : 0u);
+  }
 }
 
 bool lacks_samples(const ChainSettings& settings, double error) {

@@ -180,6 +180,18 @@ TEST_F(TrajectoryFile, ReadsBackWhatWasWritten) {
   }
 }
 
+// On both sides of what is kept in a header.
+TEST_F(TrajectoryFile, ReadsBackATextOfAnyLength) {
+  for (const std::size_t length :
+       {std::size_t{1} << 15, (std::size_t{1} << 15) + 1, std::size_t{1} << 20}) {
+    TrajectoryRecord record = small_record(2);
+    record.provenance.scene_text = std::string(length - 1, 'x') + "y";
+    EXPECT_EQ(read_trajectory(file(to_netcdf(record, thin_lens_room()))).provenance.scene_text,
+              record.provenance.scene_text);
+    EXPECT_EQ(to_netcdf(record, thin_lens_room()), to_netcdf(record, thin_lens_room()));
+  }
+}
+
 TEST_F(TrajectoryFile, ReadsBackStartsAndWhatFailed) {
   for (const int dimension : {2, 3}) {
     const TrajectoryRecord record = full_record(dimension);

@@ -96,6 +96,28 @@ TEST_F(Extremes, AFileOfManyUnknownKeysIsReadAndRefused) {
   EXPECT_LT(seconds_of(90'000), 25 * few);
 }
 
+// The text of a scene is in all that is made of it, and may be longer than 64 KB.
+TEST_F(Extremes, ASceneOfALongTextIsRenderedTracedAndPlotted) {
+  json scene = json::parse(R"({ "format": "wanderlight-scene/1", "dimension": 3, "shapes": [
+    { "type": "sphere", "center": [0, 0, 0], "radius": 1, "light": { "radiance": 1 } }],
+    "camera": { "type": "perspective", "position": [0, 0, 8], "target": [0, 0, 0], "fov_deg": 40,
+                "resolution": [4, 4] } })");
+  for (int i = 0; i < 1200; ++i)
+    scene["shapes"].push_back(
+        {{"type", "triangle"}, {"points", {{i, 9, 0}, {i + 0.5, 9, 0}, {i, 9.5, 0}}}});
+  write("long.json", scene.dump());
+  ASSERT_GT(scene.dump().size(), std::size_t{1} << 16);
+  for (const char* command :
+       {"render long.json -m mlt -b 1k -q -t 1 -o run",
+        "render long.json -m mlt -b 1k -q -s 2 -o other", "merge run other -o both",
+        "trace long.json --steps 64 --chains 2 -o trace.nc", "plot both/film.nc -o film.svg",
+        "plot run/film.exr -o film.png", "plot trace.nc -o trace.svg",
+        "compare long.json -m pt,bdpt -b 1k --replicates 2 -q -o duel"}) {
+    const Outcome outcome = wander(command);
+    EXPECT_EQ(outcome.exit_code, 0) << command << ": " << outcome.err;
+  }
+}
+
 TEST_F(Extremes, LongPathsAreSampledByEveryMethod) {
   json scene = json::parse(box);
   scene["max_vertices"] = 1000;

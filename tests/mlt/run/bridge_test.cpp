@@ -123,6 +123,29 @@ TEST(Bridge, LeavesOutEachGroupAsIfItHadNotBeen) {
   EXPECT_LT(farthest, 0.3 * std::sqrt(squares / groups));
 }
 
+// Four groups of which the first alone found paths, or the first alone has states.
+TEST(Bridge, WithoutTheOnlyGroupOfASideIsNothingOrWhatSamplesSay) {
+  RatioHistogram none, few, more;
+  for (const double l : {1.0, 2.0, 4.0}) few.add(l);
+  for (const double l : {2.0, 3.0, 5.0, 8.0}) more.add(l);
+  const std::vector<BridgeGroup> found_by_one{{&few, 100, &more, 1},
+                                              {&none, 100, &more, 1},
+                                              {&none, 100, &none, 1},
+                                              {&none, 100, &none, 1}};
+  const BridgeFit one = bridge(found_by_one);
+  ASSERT_TRUE(one.failure.empty()) << one.failure;
+  EXPECT_EQ(one.without[0], 0);
+  for (const std::size_t g : {1, 2, 3}) EXPECT_GT(one.without[g], 0.9 * one.b) << g;
+  const std::vector<BridgeGroup> states_of_one{
+      {&few, 100, &more, 1}, {&more, 100, &none, 1}, {&none, 100, &none, 1}, {&few, 100, &none, 1}};
+  const BridgeFit other = bridge(states_of_one);
+  ASSERT_TRUE(other.failure.empty()) << other.failure;
+  EXPECT_DOUBLE_EQ(other.without[0], (18 + 7) / 300.);
+  for (const std::size_t g : {1, 2, 3}) EXPECT_TRUE(std::isfinite(other.without[g])) << g;
+  const std::vector<BridgeGroup> alone{{&few, 100, &more, 1}};
+  EXPECT_FALSE(std::isfinite(bridge(alone).without[0]));
+}
+
 // Of a mean over all samples of one side, how many draws of its paths would know it as well as its groups do, and
 // its square over the variance that they show.
 struct KnownBy {

@@ -145,12 +145,12 @@ TEST(Constants, SharesOfLengthsSumToB) {
 // Groups of two strata, as of `mmlt`; `strata` of them are shown.
 class StrataOfGroups {
  public:
-  explicit StrataOfGroups(int groups) {
+  explicit StrataOfGroups(int groups, int with_second = 1 << 10) {
     Rng random(1, Purpose::test, 73);
     for (int g = 0; g < groups; ++g) {
       Held& group = held_.emplace_back();
       group.tally.samples = 100;
-      for (std::size_t k = 0; k < 2; ++k)
+      for (std::size_t k = 0; k < (g < with_second ? 2 : 1); ++k)
         for (int i = 0; i < 30; ++i) {
           group.evidence.ratios[k].add(std::exp(static_cast<double>(k) + 2 * random.uniform()));
           group.states[k].add(std::exp(static_cast<double>(k) + 0.5 + 2 * random.uniform()));
@@ -195,6 +195,19 @@ TEST(Constants, OfStrataAreSumsWithoutEachGroupToo) {
     EXPECT_DOUBLE_EQ(both.without[g], first.without[g] + second.without[g]);
     EXPECT_NE(second.without[g], second.b.value);
   }
+}
+
+// What one group alone found is missing without it, and says nothing against what all found.
+TEST(Constants, OfAStratumThatOneGroupFoundHaveAnError) {
+  StrataOfGroups groups(8, 1);
+  const Constant first = groups.bridge_of(0, 1), second = groups.bridge_of(1, 2),
+                 both = groups.bridge_of(0, 2);
+  EXPECT_DOUBLE_EQ(both.without[0], first.without[0]);
+  EXPECT_GT(both.without[1], first.without[1] + 0.9 * second.b.value);
+  EXPECT_GT(both.b.standard_error, 0.9 * second.b.value);
+  EXPECT_LT(both.b.standard_error, 1.1 * second.b.value + first.b.standard_error);
+  EXPECT_GT(both.degrees_of_freedom, 0);
+  EXPECT_FALSE(std::isfinite(second.b.standard_error)) << "it is all that there is";
 }
 
 TEST(ConstantsAlarm, NamesTheClassThatTheChainsMissed) {

@@ -290,6 +290,12 @@ TEST(DominatedFilms, SayHowFewGroupsDecide) {
       << warning;
 }
 
+TEST(DominatedFilms, SayThatNobodyKnowsAnErrorThatIsNotKnown) {
+  FilmEstimate film = film_with(0);
+  film.standard_error.assign(2, not_known);
+  EXPECT_TRUE(dominated_film(film, 64).starts_with("nobody knows the error of the film: "));
+}
+
 TEST(DominatedFilms, AreNoneWhereGroupsAgreeOrAreFew) {
   EXPECT_EQ(dominated_film(film_with(fewest_film_degrees), 64), "");
   EXPECT_EQ(dominated_film(film_with(40), 64), "");

@@ -118,7 +118,7 @@ TEST(BuiltScenes, OfMeshesAreHitWhereTheyAre) {
                                .direction = {1, 0.001, 0},
                                .from = Element<W>(hit.shape, hit.primitive)}));
   EXPECT_EQ(space->lights().size(), 2u);
-  EXPECT_NEAR(space->light_pmf()[1], 2 * 4 / (2 * 4 + 5 * std::numbers::pi), 1e-15);
+  EXPECT_NEAR(space->light_choice().probability(1), 2 * 4 / (2 * 4 + 5 * std::numbers::pi), 1e-15);
 }
 
 }  // namespace
