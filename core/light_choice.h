@@ -1,4 +1,4 @@
-// Which light a subpath begins on: each in proportion to its power [Veach 1997, 8.2.1.2], by the inverse of the cumulative
+// Which light a subpath begins on: each with a probability in proportion to its power, by the inverse of the cumulative
 // distribution.  Unlike an alias table it is monotone in its number, so that a small step of that number stays on a light or goes to
 // the next, and the number is told from the light as easily.
 #pragma once

@@ -78,7 +78,8 @@ TEST_F(Extremes, ADirectoryInPlaceOfAFileHasAPlace) {
 }
 
 // Each key of an object is looked for among those before it: ten times the keys are ten times the work on any
-// machine, and a hundred times where each is compared with all (50 measured, with what else a program does).
+// machine, and a hundred times where each is compared with all (some 50 with what else the
+// program does, by the time of such a search alone: 19 s of 90 000 keys, 0.2 s of 9000).
 TEST_F(Extremes, AFileOfManyUnknownKeysIsReadAndRefused) {
   const auto seconds_of = [&](int keys) {
     std::string text = R"({"format": "wanderlight-scene/1", "dimension": 2, "shapes": [])";
