@@ -24,12 +24,14 @@ class ComplexIndex {
     [[no_unique_address]] typename W::Tint tint{};
   };
   Reflected reflected(typename W::Length cosine) const;
-  // Of light along the normal.
-  Real at_normal() const { return at_normal_; }
+  // Under roulette a walk survives with the share of light that is reflected along the normal, or with a half if that is
+  // more: at grazing angles all light is, and what survives is weighed no more than twice.
+  static constexpr double least_survival = 0.5;
+  Real survival() const { return survival_; }
 
  private:
   Constants eta_, k_;
-  Real at_normal_;
+  Real survival_;
 };
 
 }  // namespace wander

@@ -1,5 +1,6 @@
 // Conductors, smooth and rough: directions are those of a mirror and of GGX microfacets, and of each
 // channel is reflected what Fresnel's formulae say.
+#include <algorithm>
 #include <cmath>
 
 #include "core/material.h"
@@ -28,7 +29,9 @@ T fresnel_conductor(T cosine, T eta, T k) {
 
 template <World W>
 ComplexIndex<W>::ComplexIndex(const Constants& eta, const Constants& k)
-    : eta_(eta), k_(k), at_normal_(reflected(1).value) {}
+    : eta_(eta),
+      k_(k),
+      survival_(std::max(reflected(1).value, static_cast<Real>(least_survival))) {}
 
 template <World W>
 auto ComplexIndex<W>::reflected(typename W::Length cosine) const -> Reflected {

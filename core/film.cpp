@@ -70,23 +70,34 @@ void TechniqueTally::merge(const TechniqueTally& other) {
 
 void TechniqueTally::clear() { std::ranges::fill(sums_, BinSums{}); }
 
-double TechniqueTally::rare_light(double effective_samples) const {
-  double light = 0;
-  for (const BinSums& sums : sums_)
-    if (sums.effective_samples() < effective_samples) light += sums.sum;
-  return light;
-}
-
 std::vector<RareTechnique> TechniqueTally::rare(double effective_samples) const {
+  struct Found {
+    BinSums sums;
+    RareTechnique technique;
+  };
+  std::vector<Found> found;
+  for (int n = 2; n <= longest_; ++n)
+    for (int s = 0; s <= n; ++s)
+      if (const BinSums& sums = sums_[index(n, s)];
+          sums.sum > 0 && sums.effective_samples() < effective_samples)
+        found.push_back({sums, {n, s, sums.sum}});
+  std::ranges::stable_sort(found, std::greater(),
+                           [](const Found& one) { return one.sums.squares / one.sums.sum; });
   std::vector<RareTechnique> rare;
-  for (int n = 0; n <= longest_; ++n)
-    for (int s = 0; s <= longest_; ++s) {
-      const BinSums& sums = sums_[index(n, s)];
-      if (sums.sum > 0 && sums.effective_samples() < effective_samples)
-        rare.push_back({n, s, sums.sum});
-    }
+  BinSums together;
+  for (const Found& one : found) {
+    together.merge(one.sums);
+    if (together.effective_samples() >= effective_samples) break;
+    rare.push_back(one.technique);
+  }
   std::ranges::stable_sort(rare, std::greater(), &RareTechnique::light);
   return rare;
+}
+
+double TechniqueTally::rare_light(double effective_samples) const {
+  double light = 0;
+  for (const RareTechnique& technique : rare(effective_samples)) light += technique.light;
+  return light;
 }
 
 BinSums TechniqueTally::lights_met() const {
@@ -161,6 +172,15 @@ FilmEstimate SampleFilm::estimate(std::span<const int> shape) const {
   return film;
 }
 
+void doubt_rare_light(FilmEstimate& film, const TechniqueTally& techniques, std::uint64_t samples) {
+  const double pixels = static_cast<double>(film.value.size()) / channels_of(film.shape);
+  // What a bin would have of it, were it spread evenly.
+  const double rare = techniques.rare_light(fewest_technique_samples * pixels) /
+                      static_cast<double>(std::max<std::uint64_t>(samples, 1));
+  for (std::size_t i = 0; i < film.value.size(); ++i)
+    film.reliable[i] = film.reliable[i] && rare <= most_rare_light * film.standard_error[i];
+}
+
 // The value of a pixel is pixels · E[x]: the mean of the film is E of a whole sample.
 FilmEstimate estimate_of_samples(std::span<const int> shape, std::uint64_t samples,
                                  const TechniqueTally& techniques,
@@ -170,8 +190,6 @@ FilmEstimate estimate_of_samples(std::span<const int> shape, std::uint64_t sampl
   const double n = static_cast<double>(samples),
                pixels = static_cast<double>(count) / channels_of(shape);
   film.degrees_of_freedom = std::max(0.0, n - 1);
-  // Σ of rare light that a bin would have, were it spread evenly.
-  const double rare = techniques.rare_light(fewest_technique_samples * pixels) / pixels;
   for (std::size_t i = 0; i < count; ++i) {
     const BinSums of_bin = sums(i);
     const double sum = of_bin.sum,
@@ -179,9 +197,9 @@ FilmEstimate estimate_of_samples(std::span<const int> shape, std::uint64_t sampl
     film.value.push_back(samples > 0 ? pixels * sum / n : 0);
     film.standard_error.push_back(samples > 1 ? pixels * std::sqrt(variance / n)
                                               : std::numeric_limits<double>::quiet_NaN());
-    film.reliable.push_back(of_bin.effective_samples() >= fewest_effective_samples &&
-                            rare <= most_rare_light * std::sqrt(variance * n));
+    film.reliable.push_back(of_bin.effective_samples() >= fewest_effective_samples);
   }
+  doubt_rare_light(film, techniques, samples);
   return film;
 }
 

@@ -24,9 +24,9 @@ namespace wander {
 inline constexpr double fewest_effective_samples = 100;
 
 // What a bin has not seen is no part of its error bar.  Techniques (n, s) that are seen less than
-// this often per bin, in effective samples, are rare; they may not carry more than this many
-// standard errors of a bin, or else the bin is not reliable.
-inline constexpr double fewest_technique_samples = 5;
+// this often per bin, in effective samples, are rare: as many of them, those of the brightest paths first, as all
+// together are.  They may not carry more than this many standard errors of a bin, or else the bin is not reliable.
+inline constexpr double fewest_technique_samples = 10;
 inline constexpr double most_rare_light = 0.5;
 
 // Room for so many bins as the shape of a film says, of which nothing is known yet; returns how many.
@@ -98,10 +98,11 @@ class TechniqueTally {
   void add(int vertices, int technique, double contribution);
   void merge(const TechniqueTally& other);
   void clear();
-  // Σ of the contributions of all techniques that have fewer effective samples than this.
-  double rare_light(double effective_samples) const;
-  // Those techniques, the brightest first.
+  // Techniques that have fewer effective samples than this, and have fewer all together: those of the brightest
+  // paths, in the mean Σ x² / Σ x.  The one with most light first.
   std::vector<RareTechnique> rare(double effective_samples) const;
+  // Σ of their contributions.
+  double rare_light(double effective_samples) const;
   // Of paths of three vertices and more: of sensor subpaths that met a light by chance, s = 0, and of light subpaths that met
   // the sensor, s = n.
   BinSums lights_met() const;
@@ -121,6 +122,9 @@ class TechniqueTally {
   int longest_;  // longer paths share the last entry
   std::vector<BinSums> sums_;
 };
+
+// Takes back that a bin is reliable where techniques that were seen seldom carry too much of it.
+void doubt_rare_light(FilmEstimate& film, const TechniqueTally& techniques, std::uint64_t samples);
 
 // The film, but for its parts by length.
 FilmEstimate estimate_of_samples(std::span<const int> shape, std::uint64_t samples,

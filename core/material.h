@@ -159,7 +159,7 @@ struct Conductor {
     return Mirror<W>{1}.follow(known, event);
   }
   Real follow_density(Local, Event) const { return 1; }
-  Real survival() const { return index.at_normal(); }
+  Real survival() const { return index.survival(); }
   static constexpr bool specular = true, has_lobes = false, scatters = true;
 };
 
@@ -178,7 +178,7 @@ struct RoughMetal {
   InvertedNumbers<W> invert(Local known, Local sampled, Event event) const {
     return RoughConductor<W>{roughness, 1}.invert(known, sampled, event);
   }
-  Real survival() const { return index.at_normal(); }
+  Real survival() const { return index.survival(); }
   static constexpr bool specular = false, has_lobes = false, scatters = true;
 };
 

@@ -154,6 +154,23 @@ std::vector<ClassRecord> class_records(std::span<const GroupFindings> groups) {
   return records;
 }
 
+// What samples of a pooled film seldom found they may have missed: where they carry enough of it for that to matter.
+void doubt_samples_of(Rendering& r, std::span<const GroupFindings> groups) {
+  TechniqueTally techniques = groups.front().parts.front().techniques();
+  for (const GroupFindings& group : groups.subspan(1))
+    techniques.merge(group.parts.front().techniques());
+  const std::uint64_t samples = tally_of(groups).samples;
+  const auto reliable = [&] {
+    return static_cast<std::size_t>(std::ranges::count(r.film.reliable, true));
+  };
+  const std::size_t before = reliable();
+  doubt_rare_light(r.film, techniques, samples);
+  if (std::string rare = rare_techniques(techniques, r.film, samples, {before, before - reliable()},
+                                         "a larger budget finds more of it");
+      !rare.empty())
+    r.warnings.push_back(std::move(rare));
+}
+
 }  // namespace
 
 void ChainFindings::normalize(Rendering& r) const {
@@ -167,6 +184,7 @@ void ChainFindings::normalize(Rendering& r) const {
   if (has_parts) {
     PooledFilm pooled = pooled_film(b[method], groups);
     r.film = std::move(pooled.film);
+    doubt_samples_of(r, groups);
     r.pooling = {groups.front().parts.front().pooling(), tally_of(groups).samples,
                  pooled.light_of_samples, std::move(pooled.of_samples), class_records(groups)};
     r.chains_film = chains_film(method, b[method], groups);

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/10";
+constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/11";
 
 class Refusal {
  public:
@@ -124,6 +124,21 @@ std::string bytes_of(const fs::path& file, const Refusal& refuse) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
+[[noreturn]] void refuse_without_checkpoint(const fs::path& directory, std::string_view remedy) {
+  std::error_code problem, of_file;
+  const std::string name = directory.string();
+  const fs::file_status status = fs::status(directory, problem);
+  if (status.type() == fs::file_type::not_found)
+    throw UsageError(name + ": there is no such directory; check the path");
+  if (fs::exists(status) && !fs::is_directory(status))
+    throw UsageError(name + " is no directory; name that of a run, which holds its checkpoint");
+  // One may see a directory and not what is in it.
+  if (fs::status(checkpoint_in(directory), of_file).type() == fs::file_type::none)
+    throw RunFileError(
+        fmt::format("{} cannot be read ({}); check its permissions", name, of_file.message()));
+  throw UsageError(fmt::format("{} holds no checkpoint; {}", name, remedy));
+}
+
 }  // namespace
 
 Dials Checkpoint::turned() const {
@@ -161,8 +176,7 @@ void write_checkpoint(const Checkpoint& checkpoint, const StateWriter& state,
 Checkpoint read_checkpoint(const fs::path& directory, std::string_view remedy) {
   const fs::path file = checkpoint_in(directory);
   std::error_code error;
-  if (!fs::exists(file, error))
-    throw UsageError(fmt::format("{} holds no checkpoint; {}", directory.string(), remedy));
+  if (!fs::exists(file, error)) refuse_without_checkpoint(directory, remedy);
   const Refusal refuse(file, remedy);
   const std::string whole = bytes_of(file, refuse);
   if (!std::string_view(whole).starts_with(family)) refuse("is not a checkpoint of a run");

@@ -7,13 +7,15 @@
 
 namespace wander {
 
-std::optional<PoolingPlan> PoolingPlanner::by_samples(const Pilot& samples) const {
+std::optional<PoolingPlan> PoolingPlanner::by_samples(Pilot samples) const {
   if (settings_.seed_share || film_.kind == FilmKind::image) return {};
+  samples.seeds_per_step = seeds_per_step();
   const auto pooling = pooling_of_easy_light(samples, film_.bins, most_cost());
   return pooling ? std::optional(plan(samples, *pooling)) : std::nullopt;
 }
 
 PoolingPlan PoolingPlanner::by_chains(Pilot pilot) const {
+  pilot.seeds_per_step = seeds_per_step();
   if (settings_.seed_share && !is_of_error())
     return plan(pilot, with_seed_share(pilot, *settings_.seed_share));
   if (!is_telling(pilot) && has_all_samples_before())
@@ -38,6 +40,10 @@ double PoolingPlanner::steps_per_chain() const {
 double PoolingPlanner::steps() const {
   const auto usual = static_cast<double>(ChainSettings{}.steps_per_chain);
   return expected_steps(run_).value_or(usual * settings_.groups * settings_.chains_per_group);
+}
+
+double PoolingPlanner::seeds_per_step() const {
+  return static_cast<double>(settings_.fewest_seeds) / steps();
 }
 
 double PoolingPlanner::most_cost() const {

@@ -32,7 +32,7 @@ class PoolingPlanner {
 
   // Where samples alone decide; or else chains have to be asked.  Of an image they always are: what few samples have not
   // seen may be as bright as a pixel is.
-  std::optional<PoolingPlan> by_samples(const Pilot& samples) const;
+  std::optional<PoolingPlan> by_samples(Pilot samples) const;
   PoolingPlan by_chains(Pilot pilot) const;
 
   // As far as it is known before the run.
@@ -40,6 +40,7 @@ class PoolingPlanner {
 
  private:
   double steps() const;
+  double seeds_per_step() const;
   double most_cost() const;
   bool is_of_time() const;
   bool is_of_error() const;

@@ -14,6 +14,8 @@ namespace wander {
 
 namespace {
 
+constexpr double fewest_meetings = 5;  // in effective samples
+
 struct Words {
   const char *where, *remedy;
 };
@@ -36,24 +38,28 @@ double effective_samples(double value, double error, double n) {
 
 }  // namespace
 
+// Bins that few samples have found are not reliable for that alone.
+DoubtedBins doubted_bins(const FilmEstimate& film, std::uint64_t samples) {
+  DoubtedBins bins;
+  for (std::size_t i = 0; i < film.value.size(); ++i) {
+    if (effective_samples(film.value[i], film.standard_error[i], static_cast<double>(samples)) <
+        fewest_effective_samples)
+      continue;
+    ++bins.seen;
+    bins.doubtful += film.reliable[i] ? 0 : 1;
+  }
+  return bins;
+}
+
 std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate& film,
-                            std::uint64_t samples) {
+                            std::uint64_t samples, DoubtedBins bins, std::string_view remedy) {
+  if (2 * bins.doubtful <= bins.seen) return "";
   constexpr std::size_t most_named = 3;
   const double pixels = static_cast<double>(film.value.size()) / channels_of(film.shape);
   const std::vector<RareTechnique> rare = techniques.rare(fewest_technique_samples * pixels);
   double light = 0;
   for (const RareTechnique& technique : rare) light += technique.light;
   light /= static_cast<double>(samples);  // of the mean of the film
-  // Bins that few samples have found are not reliable for that alone.
-  std::size_t seen = 0, doubtful = 0;
-  for (std::size_t i = 0; i < film.value.size(); ++i) {
-    if (effective_samples(film.value[i], film.standard_error[i], static_cast<double>(samples)) <
-        fewest_effective_samples)
-      continue;
-    ++seen;
-    doubtful += film.reliable[i] ? 0 : 1;
-  }
-  if (2 * doubtful <= seen) return "";
   std::vector<std::string> names;
   for (const RareTechnique& technique : rare)
     if (names.size() < most_named)
@@ -62,12 +68,12 @@ std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate
       "{} of {} bins that samples enough have found cannot be called reliable: techniques (n, s) "
       "that found light in few "
       "samples, most of it {}, carry {} of the film, and what they did not find is in no error "
-      "bar; a larger budget finds more of it, and so may mlt",
-      doubtful, seen, fmt::join(names, ", "), percent(light / mean_value(film)));
+      "bar; {}",
+      bins.doubtful, bins.seen, fmt::join(names, ", "), percent(light / mean_value(film)), remedy);
 }
 
 void doubt_what_was_not_met(Rendering& rendering, MetByChance end, const BinSums& met) {
-  if (end == MetByChance::nowhere || met.effective_samples() >= fewest_technique_samples) return;
+  if (end == MetByChance::nowhere || met.effective_samples() >= fewest_meetings) return;
   rendering.film.reliable.assign(rendering.film.reliable.size(), false);
   rendering.warnings.push_back(fmt::format(
       "{} finds light that comes by mirrors or smooth glass {}, and it hardly met one: what it may "
@@ -82,7 +88,9 @@ void add_doubts(Rendering& rendering, const TechniqueTally& techniques, MetByCha
   const std::size_t before = rendering.warnings.size();
   doubt_what_was_not_met(rendering, end, met);
   if (rendering.warnings.size() > before) return;
-  std::string rare = rare_techniques(techniques, rendering.film, rendering.samples);
+  std::string rare = rare_techniques(techniques, rendering.film, rendering.samples,
+                                     doubted_bins(rendering.film, rendering.samples),
+                                     "a larger budget finds more of it, and so may mlt");
   if (!rare.empty()) rendering.warnings.push_back(std::move(rare));
 }
 

@@ -2,8 +2,10 @@
 // not (core/film.h).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "core/film.h"
 #include "core/scene.h"
@@ -25,10 +27,15 @@ MetByChance met_by_chance(const Scene<W>& scene, MetByChance of_method) {
   return of_method;
 }
 
-// Why few bins are called reliable, where it is for light that techniques seldom find.  Empty where most bins that samples
-// enough have found have no such doubt.
+// Of bins that would be reliable, those that are not for light that techniques seldom find (doubt_rare_light()).
+struct DoubtedBins {
+  std::size_t seen = 0, doubtful = 0;
+};
+DoubtedBins doubted_bins(const FilmEstimate& film, std::uint64_t samples);
+
+// Why they are called unreliable.  Empty where most have no such doubt.
 std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate& film,
-                            std::uint64_t samples);
+                            std::uint64_t samples, DoubtedBins bins, std::string_view remedy);
 
 // Of a film whose samples met the ends that light needs to be met by chance so often: if that is hardly ever, no bin of it is
 // reliable, and it says so.

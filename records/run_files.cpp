@@ -63,6 +63,13 @@ void write_run(const RunRecord& run, const description::Scene& scene,
     remove_others(directory, of_images);
 }
 
+void remove_run(const std::filesystem::path& directory) {
+  if (!holds_run(directory)) return;
+  remove_others(directory, std::array{"run.json", "film.exr"});
+  remove_others(directory, of_rows);
+  remove_others(directory, of_images);
+}
+
 bool holds_document(const std::filesystem::path& path, std::string_view schema) {
   // The schema is the first entry of the document.
   std::string beginning(64, '\0');

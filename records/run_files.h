@@ -18,6 +18,9 @@ namespace wander {
 void write_run(const RunRecord& run, const description::Scene& scene,
                const std::filesystem::path& directory, double exposure = 0);
 
+// The files of a run that the program itself wrote there, if it did.
+void remove_run(const std::filesystem::path& directory);
+
 // True if the file begins as a JSON document of this schema.
 bool holds_document(const std::filesystem::path& file, std::string_view schema);
 // True if the program itself wrote a run there.

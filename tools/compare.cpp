@@ -2,18 +2,21 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "draw/report/comparison_files.h"
+#include "lab/checkpoint.h"
 #include "lab/compare/comparison_json.h"
 #include "lab/compare/forecast.h"
 #include "lab/failure.h"
 #include "lab/parsing.h"
 #include "lab/reference_name.h"
 #include "lab/scene_source.h"
+#include "records/run_files.h"
 #include "tools/command.h"
 #include "tools/compare_runs.h"
 #include "tools/compare_task.h"
@@ -63,7 +66,11 @@ ExitCode compare_methods(const CompareOptions& options, CompareTask& task, const
 
   const Comparison comparison = summarize(compared(options, task, global, directory));
 
-  if (directory) write_comparison(comparison, task.document.scene, directory->path());
+  if (directory) {
+    write_comparison(comparison, task.document.scene, directory->path());
+    remove_run(directory->path());
+    std::filesystem::remove(checkpoint_in(directory->path()));
+  }
   if (!global.quiet) {
     for (const std::string& line : comparison.verdict) print_note(line + "\n");
     print_note(

@@ -45,6 +45,7 @@ void examine(const ImportOptions& options, const Global& global, Examination& ex
     if (is_standard_output(global.out))
       throw UsageError("-o - is standard output, and meshes lie beside a scene; name a file");
     require_replaceable(global.out, global);
+    require_apart(global.out, std::span(&options.file, 1));
     const fs::path folder = global.out.parent_path() / mesh_folder_of(global.out);
     std::error_code error;
     if (fs::exists(folder, error) && !global.force)

@@ -17,6 +17,7 @@
 #include "tools/command.h"
 #include "tools/console.h"
 #include "tools/inspection.h"
+#include "tools/output_place.h"
 #include "tools/verb.h"
 
 namespace wander {
@@ -94,8 +95,7 @@ ExitCode inspect(const InspectOptions& options, const Global& global) {
   if (!is_a_scene)
     if (const auto comparison = compare::find_comparison(options.file))
       return show_comparison(*comparison, global);
-  if (std::filesystem::is_directory(options.file))
-    throw RunFileError(options.file + ": a directory without a run.json or a compare.json");
+  if (!is_a_scene) require_no_directory(options.file);
   if (!is_a_scene)
     if (const auto trajectory = find_trajectory(options.file))
       return show_trajectory(*trajectory, global);

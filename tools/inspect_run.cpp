@@ -1,12 +1,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/film_statistics.h"
 #include "core/tint.h"
 #include "lab/failure.h"
+#include "lab/method.h"
 #include "lab/reference_name.h"
 #include "lab/wording.h"
 #include "records/film_layers.h"
@@ -114,6 +116,16 @@ std::string text_of_run(const RunRecord& run) {
   return text;
 }
 
+// Samples of a seed pass have numbers of their own (rng.h: Purpose).
+bool may_share_samples(const Rendering& run, const Rendering& reference) {
+  const auto has_seeds = [](const Rendering& r) {
+    return std::ranges::any_of(
+        methods(), [&](const Method& m) { return m.name == r.method && m.is_markov_chain(); });
+  };
+  return run.samples > 0 && reference.samples > 0 && run.seed == reference.seed &&
+         has_seeds(run) == has_seeds(reference);
+}
+
 ordered_json compare_runs(const RunRecord& run, const RunRecord& reference) {
   const FilmEstimate &film = run.rendering.film, &expected = reference.rendering.film;
   if (film.shape != expected.shape || film.value.size() != expected.value.size() ||
@@ -129,6 +141,7 @@ ordered_json compare_runs(const RunRecord& run, const RunRecord& reference) {
             {"samples", reference.rendering.samples},
             {"command_line", reference.provenance.command_line}}},
           {"same_scene", run.provenance.scene_sha256 == reference.provenance.scene_sha256},
+          {"may_share_samples", may_share_samples(run.rendering, reference.rendering)},
           {"relative_rmse", finite_or_null(comparison.relative_rmse)},
           {"bins", comparison.bins},
           {"chi2_per_degree", finite_or_null(comparison.chi2_per_degree)},
@@ -141,6 +154,10 @@ std::string text_of_comparison(const ordered_json& comparison) {
                                  comparison["reference"]["name"].get<std::string>());
   if (!comparison["same_scene"].get<bool>())
     text += "  warning         the reference is of another scene file\n";
+  if (comparison["may_share_samples"].get<bool>())
+    text +=
+        "  warning         both are of one seed: they agree better than they are right, as far as\n"
+        "                  they were made of the same samples; take runs of two seeds (-s)\n";
   text += fmt::format("  relative RMSE   {}\n", share(comparison["relative_rmse"]));
   if (comparison["bins"].get<std::size_t>() == 0)
     return text + "  bins            none is reliable in both: nothing more can be compared\n";

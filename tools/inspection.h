@@ -17,6 +17,9 @@ namespace wander {
 nlohmann::ordered_json inspect_scene(const SceneDocument& document, const Probe& probe);
 std::string text_of_scene(const nlohmann::ordered_json& inspection);
 
+// May two films be of the same samples, by their seeds, so that they differ by less than their errors say?
+bool may_share_samples(const Rendering& run, const Rendering& reference);
+
 // A run held against another one of the same scene.  Throws UsageError if the films differ in
 // shape.
 nlohmann::ordered_json compare_runs(const RunRecord& run, const RunRecord& reference);

@@ -38,11 +38,14 @@ extern "C" void note_interruption(int signal) {
 void leave_at_interruption() {
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  if (std::signal(SIGHUP, SIG_DFL) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
 }
 
 const std::atomic<bool>& watch_for_interruption() {
   std::signal(SIGINT, note_interruption);
   std::signal(SIGTERM, note_interruption);
+  // Of a terminal that is gone; `nohup` has it ignored.
+  if (std::signal(SIGHUP, note_interruption) == SIG_IGN) std::signal(SIGHUP, SIG_IGN);
   return interrupted;
 }
 

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "draw/report/comparison_files.h"
 #include "lab/failure.h"
 #include "lab/scene_source.h"
 #include "records/run_files.h"
@@ -29,15 +30,6 @@ struct MergeTask {
   std::vector<std::string> directories;
   std::vector<MergePart> parts;
 };
-
-// Its checkpoint would be that of another run.
-void require_apart(const fs::path& out, const std::vector<std::string>& directories) {
-  std::error_code error;
-  for (const std::string& directory : directories)
-    if (fs::equivalent(out, directory, error))
-      throw UsageError(fmt::format(
-          "-o {} is one of the runs that are to be merged; choose another place", out.string()));
-}
 
 // Words that were misread are not taken for directories.
 void examine(MergeTask& task, const Global& global, Examination& examination) {
@@ -69,6 +61,7 @@ ExitCode merge_runs(const MergeTask& task, const Global& global) {
   if (directory) {
     fs::remove(checkpoint_in(directory->path()));
     write_run(run, job.scene(), directory->path());
+    compare::remove_comparison(directory->path());
   }
   if (!global.quiet) {
     print_note(summary_of(run.rendering));

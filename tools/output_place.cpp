@@ -87,6 +87,32 @@ void require_replaceable(const fs::path& file, const Global& global) {
   throw UsageError(fmt::format("{} exists; add --force to replace it", file.string()));
 }
 
+void require_apart(const fs::path& out, std::span<const std::string> read) {
+  std::error_code error;
+  for (const std::string& one : read)
+    if (fs::equivalent(out, one, error))
+      throw UsageError(fmt::format(
+          "-o {} is one of those that are read, and would be replaced; choose another place",
+          out.string()));
+}
+
+void require_no_directory(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) return;
+  const std::string name = path.string();
+  if (fs::exists(checkpoint_in(path), error))
+    throw RunFileError(
+        fmt::format("{} holds a run that did not come to its end; `wander render --continue -o {}` "
+                    "carries it on",
+                    name, name));
+  if (compare::holds_kept_comparison(path))
+    throw RunFileError(
+        fmt::format("{} holds a comparison that did not come to its end; `wander compare "
+                    "--continue -o {}` carries it on",
+                    name, name));
+  throw RunFileError(name + ": a directory without a run.json or a compare.json");
+}
+
 void require_replaceable_directory(const fs::path& path, const Global& global,
                                    std::string_view remedy) {
   if (is_standard_output(path))

@@ -3,6 +3,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,9 +23,14 @@ void require_replaceable(const std::filesystem::path& file, const Global& global
 // or a comparison too, is replaced only with --force.  The message ends with the remedy.
 void require_replaceable_directory(const std::filesystem::path& path, const Global& global,
                                    std::string_view remedy = "or add --force to replace it");
+// Throws UsageError if it is one of the files or directories that are read, which it would replace.
+void require_apart(const std::filesystem::path& out, std::span<const std::string> read);
 // Throws OutputError if no file can be made in the directory of `file`; pipes and devices need
 // none.
 void require_writable_directory(const std::filesystem::path& file);
+
+// Throws RunFileError if it is a directory: one that holds nothing finished.  The message says what it holds.
+void require_no_directory(const std::filesystem::path& path);
 
 // Throws UsageError unless -o names where what is continued, a run or a comparison, stands, and
 // nothing asks to replace it.

@@ -44,8 +44,7 @@ bool is_of_lines(const std::filesystem::path& file) {
 
 std::string scene_svg(const PlotOptions& options) {
   const std::string& file = options.files.front();
-  if (std::filesystem::is_directory(file))
-    throw RunFileError(file + ": a directory without a run.json");
+  if (!is_scene(file)) require_no_directory(file);
   const description::Scene scene = open_scene(file).scene;
   if (options.files.size() > 1)
     throw UsageError(shown_name(file) + " is a scene; scenes are drawn one at a time");
@@ -90,7 +89,8 @@ Figure figure_of_trajectory(const TrajectoryRecord& record, const PlotOptions& o
 Figure figure_of(const PlotOptions& options, const Global& global) {
   if (options.parts) return {"parts", parts_svg(options)};
   const std::string& file = options.files.front();
-  const bool is_file = !is_scene(file) && std::filesystem::is_regular_file(file);
+  std::error_code unreachable;
+  const bool is_file = !is_scene(file) && std::filesystem::is_regular_file(file, unreachable);
   if (is_file)
     if (const auto record = find_trajectory(file))
       return figure_of_trajectory(*record, options, global);
@@ -140,7 +140,11 @@ void require_ending(const PlotOptions& options, const Global& global) {
 void examine(PlotOptions& options, const Global& global, Figure& figure, Examination& examination) {
   const bool words_are_known = examination.is_passed();
   examination.part([&] { require_sensible(options, global); });
-  examination.part([&] { require_replaceable(global.out, global); });
+  examination.part([&] {
+    require_replaceable(global.out, global);
+    require_apart(global.out, options.files);
+    require_apart(global.out, std::span(&options.reference, 1));
+  });
   if (!global.out.empty() && !options.fluence.wanted)
     examination.part([&] { require_ending(options, global); });
   if (words_are_known && !options.fluence.wanted)

@@ -1,6 +1,7 @@
 #include "tools/plot_film.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,7 @@
 #include "lab/reference_name.h"
 #include "lab/scene_source.h"
 #include "records/run_json.h"
+#include "tools/inspection.h"
 
 namespace wander {
 
@@ -74,7 +76,13 @@ std::string label_of(const Film& film, const std::vector<Film>& films) {
   return same > 1 ? fmt::format("{} ({})", method, short_name(film.path)) : method;
 }
 
-figure::LabelledFilm reference_film(const Film& film) {
+figure::LabelledFilm reference_film(const Film& film, std::span<const Film> others) {
+  for (const Film& other : others)
+    if (may_share_samples(other.run.rendering, film.run.rendering))
+      spdlog::warn(
+          "{} and its reference {}: both are of one seed, and agree better than they are right, as "
+          "far as they were made of the same samples; take runs of two seeds (-s)",
+          other.path, film.path);
   return {name_of_reference(film.run.rendering), film.run.rendering};
 }
 
@@ -101,7 +109,7 @@ std::string film_svg(const Film& first, const PlotOptions& options) {
   if (!options.reference.empty()) {
     const Film reference = require_film(options.reference, first);
     require_same_axes(reference, first);
-    how.reference = reference_film(reference);
+    how.reference = reference_film(reference, films);
   }
   return figure::film_figure(labelled, how);
 }

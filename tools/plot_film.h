@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "records/run_record.h"
@@ -28,7 +29,8 @@ std::optional<Film> find_film(const std::string& path);
 Film require_film(const std::string& path, const Film& first);
 // The method, with the name of the run where two runs share a method.
 std::string label_of(const Film& film, const std::vector<Film>& films);
-figure::LabelledFilm reference_film(const Film& film);
+// Beside `others`, of which it may share samples; a warning says so.
+figure::LabelledFilm reference_film(const Film& film, std::span<const Film> others);
 
 // All files of the command line; `first` is the first of them.
 std::string film_svg(const Film& first, const PlotOptions& options);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -61,11 +62,13 @@ std::string image_svg(Film first, const PlotOptions& options) {
                                  .reference = std::nullopt,
                                  .exposure = options.exposure.value_or(0),
                                  .width = options.width};
+  std::optional<Film> reference;
   if (!options.reference.empty()) {
-    how.reference = reference_film(others.back());
+    reference = std::move(others.back());
     others.pop_back();
   }
   others.insert(others.begin(), std::move(first));
+  if (reference) how.reference = reference_film(*reference, others);
   return figure::image_figure(labelled(std::move(others)), how);
 }
 

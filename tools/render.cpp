@@ -13,14 +13,13 @@
 #include "lab/parsing.h"
 #include "lab/run_warnings.h"
 #include "lab/scene_source.h"
-#include "records/run_files.h"
 #include "records/run_json.h"
 #include "tools/command.h"
 #include "tools/console.h"
 #include "tools/interruption.h"
-#include "tools/output_place.h"
 #include "tools/progress.h"
 #include "tools/render_task.h"
+#include "tools/run_directory.h"
 #include "tools/summary.h"
 #include "tools/verb.h"
 
@@ -42,25 +41,15 @@ Rendering rendering_of(const RenderTask& task, const Keeper& keeper, const Globa
   return rendering;
 }
 
-// What is kept of a run stands in its directory from the first moment, so that it can be carried on
-// whenever it ends.
-Keeper keeper_in(const OutputDirectory& directory, const RenderOptions& options,
-                 const RenderTask& task) {
-  Keeper keeper = keeper_for(options, task.budget);
-  if (!(keeper.every > 0)) {
-    if (!options.is_continuation) std::filesystem::remove(checkpoint_in(directory.path()));
-    return keeper;
-  }
-  Checkpoint checkpoint = task.run;
-  checkpoint.run = {};
-  keeper.keep = [path = directory.path(), checkpoint](const Headway& headway,
-                                                      const StateWriter& state) mutable {
-    checkpoint.run.headway = headway;
-    write_checkpoint(checkpoint, state, path);
-  };
-  if (!options.is_continuation || task.is_new_budget)
-    keeper.keep(task.run.run.headway, [&](std::ostream& bytes) { bytes << task.run.run.state; });
-  return keeper;
+Beginning beginning_of(const RenderOptions& options, const RenderTask& task) {
+  if (!options.is_continuation) return Beginning::anew;
+  return task.is_new_budget ? Beginning::carried_further : Beginning::carried_on;
+}
+
+// What is kept of a run stands in its directory from the first moment, so that it can be carried on whenever it
+// ends.
+Keeper keeper_in(RunDirectory& directory, const RenderOptions& options, const RenderTask& task) {
+  return directory.keeper(keeper_for(options, task.budget), task.run);
 }
 
 void tell_where_it_goes_on(const RenderTask& task) {
@@ -83,12 +72,10 @@ void tell_memory(const RenderTask& task, const Global& global) {
 }
 
 ExitCode render_scene(const RenderOptions& options, const RenderTask& task, const Global& global) {
-  std::optional<OutputDirectory> directory;
+  std::optional<RunDirectory> directory;
   Keeper keeper;
-  Global place = global;
-  place.force = place.force || options.is_continuation;
   if (!global.out.empty()) {
-    directory.emplace(global.out, place);
+    directory.emplace(global.out, global, beginning_of(options, task));
     keeper = keeper_in(*directory, options, task);
   }
   if (options.is_continuation && !global.quiet) tell_where_it_goes_on(task);
@@ -98,7 +85,7 @@ ExitCode render_scene(const RenderOptions& options, const RenderTask& task, cons
                       provenance_of(task.document, global.command_line)};
 
   if (directory) {
-    write_run(run, task.job.scene(), directory->path(), options.exposure.value_or(0));
+    directory->save(run, task.job.scene(), options.exposure.value_or(0));
     spdlog::debug("wrote the film and run.json");
   }
   if (!global.quiet) {
@@ -106,6 +93,7 @@ ExitCode render_scene(const RenderOptions& options, const RenderTask& task, cons
     if (directory) print_note(fmt::format("  saved in        {}\n", directory->path().string()));
   }
   for (const std::string& warning : run.rendering.warnings) spdlog::warn("{}", warning);
+  if (directory) directory->require_kept();
   if (global.json) print_data([&](const ByteSink& text) { write_json(run, 2, text); });
   return run.rendering.complete ? ExitCode::ok : ExitCode::interrupted;
 }

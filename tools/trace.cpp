@@ -67,7 +67,10 @@ void require_traceable(const TraceOptions& options) {
         in_words(methods_that([](const Method& m) { return m.is_replayed(); })), method.name));
 }
 
-bool is_csv(const Global& global) { return global.out.extension() == ".csv"; }
+bool is_csv(const Global& global) {
+  const std::string ending = global.out.extension().string();
+  return ending == ".csv" || ending == ".CSV";
+}
 
 void require_sensible_output(const TraceOptions& options, const Global& global) {
   if (options.is_replay) {
@@ -82,6 +85,7 @@ void require_sensible_output(const TraceOptions& options, const Global& global) 
         "-o - is standard output, where no netCDF file can be made; write FILE.nc, or FILE.csv for "
         "rows of text");
   require_replaceable(global.out, global);
+  require_apart(global.out, std::span(&options.scene, 1));
   require_writable_directory(global.out);
 }
 

@@ -11,6 +11,7 @@
 #include "lab/compare/comparison_json.h"
 #include "lab/compare/film_files.h"
 #include "lab/compare/film_loan.h"
+#include "lab/compare/kept_comparison.h"
 #include "lab/reference_name.h"
 #include "records/atomic_file.h"
 #include "records/exr.h"
@@ -23,7 +24,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* reference_of_rows = "reference.json";
+constexpr const char *reference_of_rows = "reference.json", *table = "compare.csv",
+                     *report = "report.html", *document = "compare.json";
 
 // All that is known of the run that stands for a cell.
 Rendering rendering_of(const Runs& runs, const Run& run) {
@@ -91,7 +93,15 @@ RunRecord reference_record(const Runs& runs) {
 }
 
 bool holds_comparison(const fs::path& directory) {
-  return holds_document(directory / "compare.json", comparison_schema);
+  return holds_document(directory / document, comparison_schema);
+}
+
+void remove_comparison(const fs::path& directory) {
+  std::error_code absent;
+  if (holds_kept_comparison(directory)) fs::remove_all(kept_in(directory), absent);
+  if (!holds_comparison(directory)) return;
+  for (const char* name : {document, report, table}) fs::remove(directory / name, absent);
+  Files(directory).remove_others();
 }
 
 void write_comparison(const Comparison& comparison, const description::Scene& scene,
@@ -104,9 +114,9 @@ void write_comparison(const Comparison& comparison, const description::Scene& sc
     stage_images(runs, files);
   else
     files.stage(reference_of_rows, to_json(reference_record(runs)).dump(1) + "\n");
-  files.stage("compare.csv", to_csv(comparison));
-  files.stage("report.html", report_html(comparison, scene));
-  files.stage("compare.json", to_json(comparison).dump(1) + "\n");
+  files.stage(table, to_csv(comparison));
+  files.stage(report, report_html(comparison, scene));
+  files.stage(document, to_json(comparison).dump(1) + "\n");
   files.commit();
   files.remove_others();
 }

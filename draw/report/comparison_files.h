@@ -19,6 +19,9 @@ namespace wander::compare {
 void write_comparison(const Comparison& comparison, const description::Scene& scene,
                       const std::filesystem::path& directory);
 
+// The files of a comparison that the program itself wrote there, if it did, finished or not.
+void remove_comparison(const std::filesystem::path& directory);
+
 // True if the program itself wrote a comparison there.
 bool holds_comparison(const std::filesystem::path& directory);
 

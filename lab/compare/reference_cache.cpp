@@ -128,8 +128,9 @@ void ReferenceCache::store(const LongRuns& runs, std::vector<std::string>& warni
     fs::create_directories(folder());
     write_file(file_of(runs), sealed(document.dump() + "\n" + archived(runs.runs)));
   } catch (const std::exception& problem) {
-    warnings.push_back(
-        fmt::format("the reference was not kept for the next time: {}", problem.what()));
+    std::string told =
+        fmt::format("the reference was not kept for the next time: {}", problem.what());
+    if (std::ranges::find(warnings, told) == warnings.end()) warnings.push_back(std::move(told));
   }
 }
 

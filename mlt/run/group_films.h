@@ -21,6 +21,7 @@ class PooledParts {
               const FilmLayout& layout)
       : pooling_(pooling),
         of_chains_(film, max_vertices, layout),
+        techniques_(max_vertices),
         list_(film, max_vertices, layout) {
     if (!layout.is_large(film)) of_samples_.emplace(film, max_vertices, layout);
   }
@@ -40,22 +41,23 @@ class PooledParts {
 
   // What a path of l = `ratio` brings that is `light` of its sample; of a film that is not large.
   bool takes_paths() const { return of_samples_.has_value(); }
-  void add_path(int vertices, int bin, double light, double ratio) {
+  void add_path(int vertices, int technique, int bin, double light, double ratio) {
     const double easy = light * partition().of_samples(ratio);
     of_samples_->add(vertices, bin, easy);
-    count(easy);
+    count(vertices, technique, easy);
   }
   // A whole sample, of which each path comes with the light l w_B.
   void add_sample(const Contributions& sample) {
     for (const Contribution& path : sample) {
       if (of_samples_) of_samples_->add(path.vertices, path.bin, path.value);
-      count(path.value);
+      count(path.vertices, path.technique, path.value);
     }
     if (!of_samples_) list_.add(sample);
   }
   // Σ l w_B and its square over all paths that samples found.
   double easy_light() const { return easy_.value(); }
   double easy_squares() const { return easy_squares_.value(); }
+  const TechniqueTally& techniques() const { return techniques_; }  // of l w_B
   // Of a large film, since the last time.
   void move_samples_to(LargeSampleFilm& film) {
     film.merge(list_);
@@ -64,12 +66,13 @@ class PooledParts {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(of_chains_, classes_, easy_, easy_squares_);
+    archive(of_chains_, classes_, easy_, easy_squares_, techniques_);
     if (of_samples_) archive(*of_samples_);
   }
 
  private:
-  void count(double easy) {
+  void count(int vertices, int technique, double easy) {
+    techniques_.add(vertices, technique, easy);
     easy_ += easy;
     easy_squares_ += easy * easy;
   }
@@ -78,6 +81,7 @@ class PooledParts {
   GroupFilm of_chains_;
   ClassParts classes_;
   Sum easy_, easy_squares_;
+  TechniqueTally techniques_;
   std::optional<GroupFilm> of_samples_;
   SampleList list_;  // empty when a run is kept
 };
@@ -92,7 +96,7 @@ class SampleWatcher {
   void found(const JoinedPath<W>& x, const FoundPath& path) {
     const auto& [bin, technique, ratio, light] = path;
     if (R == Ratios::of_paths && parts_->takes_paths())
-      return parts_->add_path(x.size(), bin, light, ratio);
+      return parts_->add_path(x.size(), technique, bin, light, ratio);
     if (R == Ratios::of_paths)
       sample_.push_back({x.size(), technique, bin, light * parts_->partition().of_samples(ratio)});
     else

@@ -45,15 +45,21 @@ class Variance {
         bins_(static_cast<double>(bins)),
         b_(pilot.b()),
         steps_per_chain_(pilot.steps_per_chain),
-        steps_per_seed_(pilot.steps_per_seed) {}
+        steps_per_seed_(pilot.steps_per_seed),
+        seeds_per_step_(pilot.seeds_per_step) {}
+
+  // ρ, of all samples that there are
+  double all_samples(double samples_per_step) const {
+    return std::max(samples_per_step, seeds_per_step_);
+  }
 
   // V(ρ, c) / b², but for V_b
   double of_parts(const Pilot::Border& border, double samples_per_step) const {
     const Partition side = in_units_of_b(border);
     const double draws = border.steps_per_draw *
                          mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
-    return of_samples(border) / samples_per_step + draws + border.unvisited * steps_per_chain_ +
-           of_seeds(side, samples_per_step);
+    return of_samples(border) / all_samples(samples_per_step) + draws +
+           border.unvisited * steps_per_chain_ + of_seeds(side, samples_per_step);
   }
   // E_π[w_M]: the share of light that is left to chains
   double of_chains(const Pilot::Border& border) const {
@@ -66,7 +72,8 @@ class Variance {
     const double hard = of_chains(border);
     const double squared = mean([&](double l) { return side.of_chains(l) * side.of_chains(l); });
     const double chains = border.steps_per_draw_of_total * std::max(0.0, squared - hard * hard);
-    return (of_samples(border) / samples_per_step + chains) / (bins_ * (1 - hard) * (1 - hard));
+    return (of_samples(border) / all_samples(samples_per_step) + chains) /
+           (bins_ * (1 - hard) * (1 - hard));
   }
 
  private:
@@ -86,7 +93,7 @@ class Variance {
 
   // k E_π[φ² l w_M²] / b
   double of_seeds(Partition side, double samples_per_step) const {
-    return steps_per_seed_.value_or(1 / samples_per_step) * mean([&](double l) {
+    return steps_per_seed_.value_or(1 / all_samples(samples_per_step)) * mean([&](double l) {
              return std::pow(where_it_began(l * b_), 2) * l * side.of_chains(l) * side.of_chains(l);
            });
   }
@@ -103,6 +110,7 @@ class Variance {
   std::span<const Pilot::Border> borders_;
   double bins_, b_, steps_per_chain_;
   std::optional<double> steps_per_seed_;
+  double seeds_per_step_;
 };
 
 std::vector<Pilot::Border> borders_of(const Pilot& pilot) {
@@ -131,8 +139,8 @@ void add_choices(const Pilot& pilot, const Variance& variance, double samples_pe
   for (const Pilot::Border& border : borders)
     of_total = std::min(of_total, variance.of_total(border, samples_per_step));
   for (const Pilot::Border& border : borders) {
-    const double work =
-        (variance.of_parts(border, samples_per_step) + of_total) * (1 + samples_per_step * cost);
+    const double work = (variance.of_parts(border, samples_per_step) + of_total) *
+                        (1 + variance.all_samples(samples_per_step) * cost);
     if (std::isnan(work)) continue;
     choices.push_back({{border.side(), samples_per_step, border.steps_per_draw, cost},
                        work,

@@ -81,6 +81,8 @@ struct Pilot {
   double rays_per_step = wander::rays_per_step;
   // Of the run, its steps for each sample of its seed pass.  None: all samples are of it, one for each 1/ρ steps.
   std::optional<double> steps_per_seed = 0;
+  // Of the run, as many samples for each step as it has in its seed pass at least.
+  double seeds_per_step = 0;
   // With a border, how many steps tell as much as one independent draw: of where the chains' part of the
   // light lies on the film; and of how large it is in all, which unknown moves b.
   struct Border {
@@ -112,8 +114,8 @@ std::vector<double> borders_around(double b);
 enum class FilmKind { curve, image };
 std::vector<Partition> partitions_around(double b, FilmKind film);
 
-// With ρ samples per step the variance of the film, summed over all bins by what they are worth
-// (bin_worth.h) and times the steps, is about
+// With ρ samples per step, or those of a seed pass that is longer, the variance of the film, summed over all bins by
+// what they are worth (bin_worth.h) and times the steps, is about
 //   V(ρ, c) = A + b² (τ E_π[w_M²] + n u) + k b E_π[φ² l w_M²] + V_b(ρ),   A = χ b E_π[l w_B²] / ρ:
 // the samples' part, whose paths come together, so that it is χ times that of single paths; the chains', who for the share u of light that they do not come to have one draw
 // in the n steps of each; that of their seeds, for of what a chain deposits beyond a ratio l the share

@@ -92,13 +92,13 @@ struct MaterialBuilder {
   Material<W> operator()(const description::RoughMetal& m) const {
     if (m.roughness < smooth_below) return conductor(m.eta, m.k);
     const ComplexIndex<W> index(constants(m.eta), constants(m.k));
-    return index.at_normal() > 0 ? Material<W>(RoughMetal<W>{real(m.roughness), index})
-                                 : Black<W>{};
+    return index.reflected(1).value > 0 ? Material<W>(RoughMetal<W>{real(m.roughness), index})
+                                        : Black<W>{};
   }
 
   static Material<W> conductor(const description::Quantity& eta, const description::Quantity& k) {
     const ComplexIndex<W> index(constants(eta), constants(k));
-    return index.at_normal() > 0 ? Material<W>(Conductor<W>{index}) : Black<W>{};
+    return index.reflected(1).value > 0 ? Material<W>(Conductor<W>{index}) : Black<W>{};
   }
   static typename ComplexIndex<W>::Constants constants(const description::Quantity& q) {
     if constexpr (W::channels == 1)

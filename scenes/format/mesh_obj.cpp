@@ -22,7 +22,7 @@ class ObjReader {
 
   Triangles triangles() && {
     while (!text_.at_end()) {
-      std::string_view line = text_.next_line();
+      std::string_view line = next_line();
       const std::string_view keyword = take_word(line);
       if (keyword == "v") add(line, result_.points);
       if (keyword == "vn" && is_smooth()) add(line, result_.normals);
@@ -38,6 +38,16 @@ class ObjReader {
   }
 
  private:
+  // With those that a backslash at its end joins to it.
+  std::string_view next_line() {
+    std::string_view line = text_.next_line();
+    if (!line.ends_with('\\')) return line;
+    joined_.clear();
+    for (; line.ends_with('\\') && !text_.at_end(); line = text_.next_line())
+      joined_.append(line.substr(0, line.size() - 1)).append(" ");
+    return joined_.append(line);
+  }
+
   bool is_smooth() const { return wanted_.normals == MeshNormals::smooth; }
   bool has_texture() const { return wanted_.coordinates == MeshCoordinates::of_textures; }
 
@@ -108,6 +118,7 @@ class ObjReader {
   static constexpr std::int64_t most = INT32_MAX;
 
   MeshText text_;
+  std::string joined_;  // lines
   MeshWants wanted_;
   Triangles result_, of_normals_, of_coordinates_;
   std::vector<std::int32_t> face_, normals_of_face_, places_of_face_;

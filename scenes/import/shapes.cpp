@@ -41,10 +41,11 @@ class ShapeReader {
         turned_ = shape.flag("flip_normals", false);
         bitmap_ = bitmap_on(element);
         shape.ignore({"silhouette_sampling_weight"});
-        if (glm::determinant(glm::dmat3(matrix_)) == 0)
+        if (glm::determinant(glm::dmat3(matrix_)) == 0) {
           diagnosis().fault(shape.where("to_world"), "the transform flattens space");
-        else
-          (this->*read)(shape);
+          matrix_ = decltype(matrix_)(1);  // to tell what else is wrong
+        }
+        (this->*read)(shape);
         if (!json_.is_null()) finish(shape);
         shape.done();
         return;

@@ -59,9 +59,10 @@ class TransformReader {
   Matrix scaling(const XmlElement& step) {
     Matrix result(1);
     const Vector factors = vector_of(step, Vector(1), diagnosis_);
-    for (int axis = 0; axis < 3; ++axis) result[axis][axis] = factors[axis];
-    if (factors.x * factors.y * factors.z == 0)
+    if (factors.x == 0 || factors.y == 0 || factors.z == 0)
       diagnosis_.fault(step, "a scale by 0 leaves nothing; factors are not 0");
+    for (int axis = 0; axis < 3; ++axis)
+      if (factors[axis] != 0) result[axis][axis] = factors[axis];
     return result;
   }
 

@@ -72,14 +72,19 @@ class Loader {
       scene_.root = read(root, place);
       scene_.version = scene_.root.attribute("version");
     });
-    for (const auto& [name, value] : given_)
-      if (!used_.contains(name))
-        diagnosis_.fault(scene_.root, fmt::format("-D {}: the scene has no ${}; {}", excerpt(name),
-                                                  excerpt(name), suggestion(name, declared_)));
+    if (!scene_.root.tag.empty()) refuse_unused();
     return std::move(scene_);
   }
 
  private:
+  // What a scene that could not be read has nobody knows.
+  void refuse_unused() const {
+    for (const auto& [name, value] : given_)
+      if (!used_.contains(name))
+        diagnosis_.fault(scene_.root, fmt::format("-D {}: the scene has no ${}; {}", excerpt(name),
+                                                  excerpt(name), suggestion(name, declared_)));
+  }
+
   template <class Use>
   void include(const fs::path& path, const XmlPlace& from, Use&& use) {
     std::error_code problem;

@@ -91,6 +91,22 @@ TEST(Conductors, ReflectEachChannelByItsOwnIndex) {
               1e-14);
 }
 
+// At grazing angles a dark conductor reflects all light: what survives there is not to weigh much more than what
+// does not elsewhere.
+TEST(Conductors, AreNotSurvivedByFewWhoWeighMuch) {
+  for (const double eta : {1.0001, 1.03, 1.5, 4.}) {
+    const Conductor<Spaceland> smooth{{{eta}, {0}}};
+    const RoughMetal<Spaceland> rough{0.2, {{eta}, {0}}};
+    EXPECT_EQ(smooth.survival(), rough.survival());
+    for (int degrees = 0; degrees < 90; ++degrees) {
+      const double angle = degrees * std::numbers::pi / 180;
+      const double reflected = by_amplitudes(std::cos(angle), eta, 0);
+      EXPECT_LE(reflected, 2 * smooth.survival() * (1 + 1e-12)) << eta << ", " << degrees;
+    }
+    EXPECT_GE(smooth.survival(), by_amplitudes(1, eta, 0) * (1 - 1e-12));
+  }
+}
+
 // The angle that counts is that to the facet, not to the surface.
 TEST(Conductors, OfMicrofacetsReflectByTheHalfVector) {
   Generator g(3);

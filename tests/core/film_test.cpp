@@ -110,5 +110,16 @@ TEST(TechniqueTally, TellsRareTechniquesByTheirEffectiveSamples) {
   EXPECT_EQ(tally.rare_light(10), 0);
 }
 
+// Six samples each: of the brightest alone there are fewer than ten, with the next 30²/78.
+TEST(TechniqueTally, TellsRareTechniquesByHowManyTheyAreTogether) {
+  TechniqueTally tally(5);
+  for (int i = 0; i < 6; ++i)
+    for (int s = 0; s < 3; ++s) tally.add(3, s, s + 1);
+  EXPECT_EQ(tally.rare_light(10), 18);
+  EXPECT_EQ(tally.rare(10).front().technique, 2);
+  EXPECT_EQ(tally.rare_light(12), 18 + 12);
+  EXPECT_EQ(tally.rare_light(6), 0);
+}
+
 }  // namespace
 }  // namespace wander::test

@@ -143,6 +143,17 @@ Pilot of_quick_chains() {
   return pilot;
 }
 
+// A thousand steps tell less than the 32768 samples before them.
+TEST(PoolingPlan, LeavesTheLightToTheSeedPassWhereStepsAreFew) {
+  const Pilot pilot = of_quick_chains();
+  for (const FilmKind film : {FilmKind::curve, FilmKind::image}) {
+    const auto border = [&](std::uint64_t steps) {
+      return plan(pilot, SampleBudget{steps}, usual, film).pooling.partition.c;
+    };
+    EXPECT_GE(border(1000), 16 * border(10'000'000));
+  }
+}
+
 TEST(PoolingPlan, OfAnImageHasAllSamplesBeforeItsChains) {
   int otherwise = 0;
   for (const int percent : {1, 10, 50})

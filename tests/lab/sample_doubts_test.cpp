@@ -22,7 +22,9 @@ SampleFilm film_seen(double rare) {
 }
 
 std::string said_of(const SampleFilm& film) {
-  return rare_techniques(film.techniques(), film.estimate(shape), film.samples());
+  const FilmEstimate estimate = film.estimate(shape);
+  return rare_techniques(film.techniques(), estimate, film.samples(),
+                         doubted_bins(estimate, film.samples()), "look again");
 }
 
 // Σ x of a bin has a standard error of √(603 + 4 rare²) or so; its part of the rare light, 4.25 rare, may be half of it.
@@ -46,7 +48,9 @@ TEST(RareTechniques, AreNotBlamedForBinsOfFewSamples) {
   film.add({{4, 2, 0, 40}});
   const FilmEstimate estimate = film.estimate(std::array{8});
   EXPECT_EQ(reliable_bins(estimate), 0u);
-  EXPECT_EQ(rare_techniques(film.techniques(), estimate, film.samples()), "");
+  const DoubtedBins bins = doubted_bins(estimate, film.samples());
+  EXPECT_EQ(bins.seen, 0u);
+  EXPECT_EQ(rare_techniques(film.techniques(), estimate, film.samples(), bins, ""), "");
 }
 
 // What was met: so often a lamp by s = 0, and a sensor by t = 0, of so many vertices.

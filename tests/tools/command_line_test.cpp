@@ -296,9 +296,27 @@ TEST_F(CommandLine, InspectHoldsARunAgainstItsReference) {
   const json comparison = json::parse(outcome.out)["comparison"];
   EXPECT_TRUE(comparison["same_scene"]);
   EXPECT_LT(comparison["relative_rmse"], 0.5);
-  EXPECT_HAS(wander("inspect a/film.exr --reference b").out, "relative RMSE");
+  EXPECT_FALSE(comparison["may_share_samples"]);
+  const std::string of_seeds = wander("inspect a/film.exr --reference b").out;
+  EXPECT_HAS(of_seeds, "relative RMSE");
+  EXPECT_LACKS(of_seeds, "one seed");
   EXPECT_EQ(wander("inspect box.json --reference b").exit_code, 2);
   EXPECT_EQ(wander("inspect a --reference box.json").exit_code, 3);
+}
+
+// Films of one seed may have samples in common.
+TEST_F(CommandLine, RunsOfOneSeedAreNotHeldAgainstEachOtherWithoutAWord) {
+  ASSERT_EQ(wander("render box.json -m bdpt -b 20k -o a -q").exit_code, 0);
+  ASSERT_EQ(wander("render box.json -m pt -b 20k -o b -q").exit_code, 0);
+  EXPECT_HAS(wander("inspect a --reference b").out, "both are of one seed");
+  EXPECT_TRUE(
+      json::parse(wander("inspect a --reference b --json").out)["comparison"]["may_share_samples"]);
+  EXPECT_HAS(wander("plot a --reference b -o one.svg").err, "both are of one seed");
+  ASSERT_EQ(wander("render box.json -m pt -b 20k -o c -q -s 2").exit_code, 0);
+  ASSERT_EQ(wander("render box.json -m mlt -b 20k -o d -q").exit_code, 0);
+  for (const char* other : {"c", "d"})
+    EXPECT_LACKS(wander(std::string("plot a --force -o two.svg --reference ") + other).err,
+                 "one seed");
 }
 
 TEST_F(CommandLine, EverySceneOfTheGalleryIsListedPrintedAndValid) {

@@ -87,7 +87,7 @@ TEST_F(Continuing, WhatIsGivenMustBeWhatTheRunHas) {
 }
 
 TEST_F(Continuing, WithoutACheckpointItSaysWhatToDo) {
-  expect_refused("render --continue -o nowhere", 2, {"nowhere holds no checkpoint", "--force"});
+  expect_refused("render --continue -o nowhere", 2, {"nowhere: there is no such directory"});
   ASSERT_EQ(wander("render box.json -m pt -b 2k --checkpoint 0 -q -o run").exit_code, 0);
   EXPECT_FALSE(exists("run/checkpoint"));
   expect_refused("render --continue -o run -b 4k", 2, {"run holds no checkpoint"});
@@ -118,7 +118,7 @@ TEST_F(Continuing, ACheckpointOfAnotherVersionIsRefused) {
     other.replace(other.find(from), from.size(), to);
     change("run/checkpoint", [&](std::string& file) { file = sealed(other); });
   };
-  with("wanderlight-checkpoint/10", "wanderlight-checkpoint/9");
+  with("wanderlight-checkpoint/11", "wanderlight-checkpoint/9");
   expect_refused("render --continue -o run", 3, {"its format is wanderlight-checkpoint/9"});
   with("\"version\":\"", "\"version\":\"9.");
   expect_refused("render --continue -o run", 3, {"of version 9."});

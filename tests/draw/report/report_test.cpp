@@ -111,6 +111,19 @@ TEST(Report, TellsOfValuesBeyondTheAxis) {
   EXPECT_TRUE(says(report_of(runs), std::string(beyond) + "is 1 value."));
 }
 
+// The axis of an even film begins far above zero, and is linear: a dark bin lies beyond it.
+TEST(Report, TellsOfDarkValuesBelowALinearAxis) {
+  compare::Runs runs = test::usual().runs;
+  const auto even = [](std::vector<double>& film) {
+    for (std::size_t i = 0; i < film.size(); ++i) film[i] = i % 2 == 0 ? 0.9 : 1.1;
+  };
+  even(runs.reference.film.value);
+  for (compare::Run& run : runs.runs) even(run.film.value);
+  EXPECT_FALSE(says(report_of(runs), " Beyond the axis "));
+  runs.runs.back().film.value.at(7) = 0;
+  EXPECT_TRUE(says(report_of(runs), " Beyond the axis is 1 value."));
+}
+
 TEST(Report, SaysWhyThereAreNoChains) {
   const std::string html =
       report_html(test::make_comparison({"gallery:article-1", {"bdpt", "pt"}, {10'000}, 2}));

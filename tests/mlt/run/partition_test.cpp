@@ -252,6 +252,19 @@ TEST(Pooling, KnowsTheSeedsOfAllSamples) {
   }
 }
 
+// However few are asked for beside the steps.
+TEST(Pooling, CountsTheSamplesOfTheSeedPass) {
+  Pilot many = pilot_of({{1, 5000}, {50, 100}});
+  const Pilot none = many;
+  many.seeds_per_step = 4;
+  for (const double rho : {1. / 16, 1., 4.}) {
+    EXPECT_EQ(pooling(many, rho, bins).partition.c, pooling(none, 4, bins).partition.c) << rho;
+    EXPECT_EQ(pooling(many, rho, bins).samples_per_step, rho);
+  }
+  EXPECT_EQ(pooling(many, 16, bins).partition.c, pooling(none, 16, bins).partition.c);
+  EXPECT_GT(pooling(none, 4, bins).partition.c, 4 * pooling(none, 1. / 16, bins).partition.c);
+}
+
 TEST(StepsPerDraw, AreTheSharesOfVarianceOfLongChainsAndMoreOfShortOnes) {
   EXPECT_NEAR(steps_per_draw(0.001, 1e5), 100, 0.5);
   EXPECT_NEAR(steps_per_draw(2 * (std::exp(-1.)), 1000), 2000, 4) << "x = 1";

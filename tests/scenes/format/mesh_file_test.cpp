@@ -43,6 +43,10 @@ TEST(ObjFiles, HaveCornersAndFaces) {
 TEST(ObjFiles, HaveFansForFacesOfManyCorners) {
   const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\n";
   EXPECT_EQ(parse_obj(square + "f 1 2 3 4 5").corners, (Corners{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));
+  EXPECT_EQ(parse_obj(square + "f 1 2 \\\n 3 \\\r\n4 5").corners,
+            (Corners{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}))
+      << "a backslash joins lines";
+  EXPECT_EQ(parse_obj(square + "f 1 2 3\\").corners, (Corners{{0, 1, 2}}));
   EXPECT_EQ(parse_obj(square + "f 4/1/1 2//3 1/2 # so").corners, (Corners{{3, 1, 0}}));
 }
 

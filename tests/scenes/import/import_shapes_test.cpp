@@ -308,6 +308,17 @@ TEST_F(ImportedShapesOf, ThatCannotBeAreRefused) {
               "one emitter");
 }
 
+TEST_F(ImportedShapesOf, WithoutExtentAreAskedForTheRestAllTheSame) {
+  for (const char* transform : {"<scale x='0'/>", "<matrix value='1 0 0 0 1 0 0 0 0'/>"}) {
+    const std::string words =
+        refused(scene_of(std::string("<shape type='obj'><transform name='to_world'>") + transform +
+                         "</transform><string name='filename' value='none.obj'/>"
+                         "<bsdf type='diffuse'/><emitter type='area'/></shape>"));
+    EXPECT_SAYS(words, "there is no file none.obj");
+    EXPECT_EQ(std::ranges::count(words, '\n'), 1) << words;
+  }
+}
+
 // Faults that only the reader of scene files finds are told at the place of their cause.
 TEST_F(ImportedShapesOf, ThatMakeNoValidSceneAreToldAtTheirPlace) {
   const auto found = faults(

@@ -40,6 +40,25 @@ TEST_F(ImportedXml, WithoutAValueForAParameterSaysHowToGiveIt) {
   }
 }
 
+TEST_F(ImportedXml, OfWhatIsNoSceneIsRefusedWithParametersAsWithout) {
+  const XmlParameters parameters{{"spp", "4"}};
+  for (const std::string text : {"", "<html/>", "<scene>", "{}"}) {
+    std::string without;
+    for (const XmlParameters& given : {XmlParameters{}, parameters}) try {
+        scene(text, Fidelity::exact, given);
+        FAIL() << text;
+      } catch (const ImportError& error) {
+        if (given.empty())
+          without = words(error.faults);
+        else
+          EXPECT_EQ(words(error.faults), without) << text;
+      }
+  }
+  EXPECT_THROW(
+      import_mitsuba({"no/such.xml", "scene", "scene-meshes", parameters, Fidelity::exact}),
+      ImportError);
+}
+
 TEST_F(ImportedXml, IncludesFiles) {
   write("parts/ball.xml", "<scene version='3.0.0'>" + ball("$r") + "</scene>");
   EXPECT_EQ(
