@@ -7,8 +7,10 @@
 #include <functional>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "lab/film_mean.h"
+#include "lab/seldom_seen.h"
 #include "mlt/run/large_pooled_film.h"
 #include "mlt/run/normalized_film.h"
 #include "mlt/run/reliability.h"
@@ -154,21 +156,26 @@ std::vector<ClassRecord> class_records(std::span<const GroupFindings> groups) {
   return records;
 }
 
-// What samples of a pooled film seldom found they may have missed: where they carry enough of it for that to matter.
-void doubt_samples_of(Rendering& r, std::span<const GroupFindings> groups) {
+// What samples of a pooled film seldom found they may have missed where they saw none of it.  Which bins that are is not
+// known, so none is called unreliable for it: in most it is not there.
+void warn_of_rare_light(Rendering& r, std::span<const GroupFindings> groups) {
   TechniqueTally techniques = groups.front().parts.front().techniques();
   for (const GroupFindings& group : groups.subspan(1))
     techniques.merge(group.parts.front().techniques());
   const std::uint64_t samples = tally_of(groups).samples;
-  const auto reliable = [&] {
-    return static_cast<std::size_t>(std::ranges::count(r.film.reliable, true));
-  };
-  const std::size_t before = reliable();
+  std::vector<bool> reliable = r.film.reliable;
   doubt_rare_light(r.film, techniques, samples);
-  if (std::string rare = rare_techniques(techniques, r.film, samples, {before, before - reliable()},
-                                         "a larger budget finds more of it");
-      !rare.empty())
-    r.warnings.push_back(std::move(rare));
+  const auto bins = std::ranges::count(reliable, true),
+             left = std::ranges::count(r.film.reliable, true);
+  r.film.reliable = std::move(reliable);
+  if (2 * left >= bins) return;
+  const SeldomSeen rare = seldom_seen(techniques, r.film, samples);
+  r.warnings.push_back(fmt::format(
+      "techniques (n, s) that found light in few samples, most of it {}, carry {} of the film: "
+      "bins "
+      "that have seen none of it may be called reliable and be too low; a larger budget finds more "
+      "of it",
+      rare.names, rare.share));
 }
 
 }  // namespace
@@ -184,7 +191,7 @@ void ChainFindings::normalize(Rendering& r) const {
   if (has_parts) {
     PooledFilm pooled = pooled_film(b[method], groups);
     r.film = std::move(pooled.film);
-    doubt_samples_of(r, groups);
+    warn_of_rare_light(r, groups);
     r.pooling = {groups.front().parts.front().pooling(), tally_of(groups).samples,
                  pooled.light_of_samples, std::move(pooled.of_samples), class_records(groups)};
     r.chains_film = chains_film(method, b[method], groups);

@@ -30,10 +30,12 @@ const Engine& engine_of(const Job& job) {
 
 std::string why_no_engine(const WorldKind& world) {
   if (std::ranges::count(engines(), world, &Engine::world) == 1) return {};
-  return fmt::format("scenes of {} dimensions{} {} in precision {}", world.dimension,
+  const bool is_left_out = is_in(Worlds{}, world);
+  return fmt::format("scenes of {} dimensions{} {} in precision {}{}", world.dimension,
                      world.channels > 1 ? " in colour" : "",
-                     is_in(Worlds{}, world) ? "are left out of this program" : "cannot be computed",
-                     name_of(world.precision));
+                     is_left_out ? "are left out of this program" : "cannot be computed",
+                     name_of(world.precision),
+                     is_left_out ? "" : ", which is for the plane; leave --precision out");
 }
 
 Rendering render(const Job& job, const Session& session) { return carry_on({}, job, session, {}); }

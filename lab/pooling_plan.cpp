@@ -43,7 +43,7 @@ double PoolingPlanner::steps() const {
 }
 
 double PoolingPlanner::seeds_per_step() const {
-  return static_cast<double>(settings_.fewest_seeds) / steps();
+  return is_of_time() ? 0 : static_cast<double>(settings_.fewest_seeds) / steps();
 }
 
 double PoolingPlanner::most_cost() const {

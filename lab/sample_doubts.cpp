@@ -1,14 +1,11 @@
 #include "lab/sample_doubts.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <utility>
-#include <vector>
 
 #include "core/film_statistics.h"
-#include "core/tint.h"
-#include "lab/wording.h"
+#include "lab/seldom_seen.h"
 
 namespace wander {
 
@@ -54,22 +51,13 @@ DoubtedBins doubted_bins(const FilmEstimate& film, std::uint64_t samples) {
 std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate& film,
                             std::uint64_t samples, DoubtedBins bins, std::string_view remedy) {
   if (2 * bins.doubtful <= bins.seen) return "";
-  constexpr std::size_t most_named = 3;
-  const double pixels = static_cast<double>(film.value.size()) / channels_of(film.shape);
-  const std::vector<RareTechnique> rare = techniques.rare(fewest_technique_samples * pixels);
-  double light = 0;
-  for (const RareTechnique& technique : rare) light += technique.light;
-  light /= static_cast<double>(samples);  // of the mean of the film
-  std::vector<std::string> names;
-  for (const RareTechnique& technique : rare)
-    if (names.size() < most_named)
-      names.push_back(fmt::format("({}, {})", technique.vertices, technique.technique));
+  const SeldomSeen rare = seldom_seen(techniques, film, samples);
   return fmt::format(
       "{} of {} bins that samples enough have found cannot be called reliable: techniques (n, s) "
       "that found light in few "
       "samples, most of it {}, carry {} of the film, and what they did not find is in no error "
       "bar; {}",
-      bins.doubtful, bins.seen, fmt::join(names, ", "), percent(light / mean_value(film)), remedy);
+      bins.doubtful, bins.seen, rare.names, rare.share, remedy);
 }
 
 void doubt_what_was_not_met(Rendering& rendering, MetByChance end, const BinSums& met) {

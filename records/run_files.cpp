@@ -65,9 +65,9 @@ void write_run(const RunRecord& run, const description::Scene& scene,
 
 void remove_run(const std::filesystem::path& directory) {
   if (!holds_run(directory)) return;
-  remove_others(directory, std::array{"run.json", "film.exr"});
   remove_others(directory, of_rows);
   remove_others(directory, of_images);
+  remove_others(directory, std::array{"film.exr", "run.json"});
 }
 
 bool holds_document(const std::filesystem::path& path, std::string_view schema) {

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -68,8 +67,10 @@ ExitCode compare_methods(const CompareOptions& options, CompareTask& task, const
 
   if (directory) {
     write_comparison(comparison, task.document.scene, directory->path());
-    remove_run(directory->path());
-    std::filesystem::remove(checkpoint_in(directory->path()));
+    if (!options.is_continuation && !comparison.runs.runs.empty()) {
+      remove_run(directory->path());
+      remove_file(checkpoint_in(directory->path()));
+    }
   }
   if (!global.quiet) {
     for (const std::string& line : comparison.verdict) print_note(line + "\n");

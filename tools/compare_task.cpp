@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <utility>
 
 #include "lab/failure.h"
@@ -59,16 +60,22 @@ UsageError no_place() {
   return UsageError("compare needs -o DIR (where the tables go), or --json, or both");
 }
 
+// A run may be named by its directory or by a file in it.
+void require_reference_apart(const std::filesystem::path& out, const std::string& reference) {
+  const std::filesystem::path file(reference);
+  require_apart(out, std::array{reference, file.parent_path().string()});
+}
+
 // ---- from the beginning
 
 std::optional<CompareTask> examine_new(const CompareOptions& options, const Global& global,
                                        Examination& examination) {
   examination.part([&] {
     if (global.out.empty() && !global.json) throw no_place();
-    if (!global.out.empty())
-      require_replaceable_directory(
-          global.out, global,
-          "add --force to replace it, or --continue to carry the comparison on");
+    if (global.out.empty()) return;
+    require_replaceable_directory(
+        global.out, global, "add --force to replace it, or --continue to carry the comparison on");
+    if (options.reference) require_reference_apart(global.out, *options.reference);
   });
   Request request{.scene_source = options.scene,
                   .methods = options.methods.value_or(usual_methods),

@@ -49,7 +49,10 @@ void examine(MergeTask& task, const Global& global, Examination& examination) {
 
 ExitCode merge_runs(const MergeTask& task, const Global& global) {
   std::optional<OutputDirectory> directory;
-  if (!global.out.empty()) directory.emplace(global.out, global);
+  if (!global.out.empty()) {
+    directory.emplace(global.out, global);
+    require_file(checkpoint_in(directory->path()));
+  }
   const Checkpoint& first = task.parts.front().run;
   const SceneDocument document = reopen_scene(first.scene_text, first.scene_source);
   const Job job(document.scene, find_method(first.method), first.turned());
@@ -59,8 +62,8 @@ ExitCode merge_runs(const MergeTask& task, const Global& global) {
   const std::vector<std::string> doubts = scene_warnings(document, first.scene_source);
   run.rendering.warnings.insert(run.rendering.warnings.begin(), doubts.begin(), doubts.end());
   if (directory) {
-    fs::remove(checkpoint_in(directory->path()));
     write_run(run, job.scene(), directory->path());
+    remove_file(checkpoint_in(directory->path()));
     compare::remove_comparison(directory->path());
   }
   if (!global.quiet) {

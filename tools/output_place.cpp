@@ -96,6 +96,16 @@ void require_apart(const fs::path& out, std::span<const std::string> read) {
           out.string()));
 }
 
+void require_file(const fs::path& file) {
+  std::error_code error;
+  if (fs::is_directory(file, error)) throw OutputError(file.string(), EISDIR);
+}
+
+void remove_file(const fs::path& file) {
+  std::error_code error;
+  if (fs::is_regular_file(file, error)) fs::remove(file, error);
+}
+
 void require_no_directory(const fs::path& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return;

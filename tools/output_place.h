@@ -32,6 +32,11 @@ void require_writable_directory(const std::filesystem::path& file);
 // Throws RunFileError if it is a directory: one that holds nothing finished.  The message says what it holds.
 void require_no_directory(const std::filesystem::path& path);
 
+// Throws OutputError if something is there that is no file, and so cannot be replaced by one.
+void require_file(const std::filesystem::path& file);
+// If it is one.
+void remove_file(const std::filesystem::path& file);
+
 // Throws UsageError unless -o names where what is continued, a run or a comparison, stands, and
 // nothing asks to replace it.
 void require_place_of(std::string_view continued, const Global& global);

@@ -53,6 +53,10 @@ Keeper keeper_in(RunDirectory& directory, const RenderOptions& options, const Re
 }
 
 void tell_where_it_goes_on(const RenderTask& task) {
+  if (task.is_begun_again)
+    return print_note(
+        fmt::format("  begun again, to {}: what so few steps had planned is no plan for more\n",
+                    task.run.budget));
   const bool has_chains = task.job.method().is_markov_chain();
   print_note(fmt::format("  carried on from {} samples, to {}\n", task.run.run.headway.samples,
                          task.run.budget));

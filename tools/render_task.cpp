@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "lab/failure.h"
+#include "lab/few_steps.h"
 #include "lab/merge.h"
 #include "lab/parsing.h"
 #include "lab/scene_source.h"
@@ -128,13 +129,16 @@ RenderTask continued(const RenderOptions& options, const Global& global) {
                     "another place for a new run",
                     global.out.string(), fmt::join(found, "; ")));
   const bool is_new_budget = !options.budget.empty() && options.budget != run.budget;
+  const Budget planned = parse_budget(run.budget);
   if (is_new_budget) run.budget = options.budget;
   const Budget budget = parse_budget(run.budget);
   require_not_beyond(run, budget, run.budget);
   if (!scene) scene = reopen_scene(run.scene_text, run.scene_source);
   Job job(scene->scene, find_method(run.method), run.turned());
   say(job, scene->sha256);
-  return {std::move(run), *std::move(scene), std::move(job), budget, is_new_budget};
+  const bool is_begun_again = is_new_budget && is_of_few_steps(planned, job);
+  if (is_begun_again) run.run = {};
+  return {std::move(run), *std::move(scene), std::move(job), budget, is_new_budget, is_begun_again};
 }
 
 std::optional<RenderTask> examine_continued(const RenderOptions& options, const Global& global,

@@ -32,7 +32,8 @@ struct RenderTask {
   SceneDocument document;
   Job job;
   Budget budget;
-  bool is_new_budget = false;  // another than that of the run that is carried on
+  bool is_new_budget = false;   // another than that of the run that is carried on
+  bool is_begun_again = false;  // for what that run had planned is no plan for this budget
 };
 
 // All that can be said against it; the task, if nothing can be.

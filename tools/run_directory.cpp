@@ -22,7 +22,9 @@ Global replacing_itself(Global global, Beginning beginning) {
 
 RunDirectory::RunDirectory(const std::filesystem::path& path, const Global& global,
                            Beginning beginning)
-    : place_(path, replacing_itself(global, beginning)), beginning_(beginning) {}
+    : place_(path, replacing_itself(global, beginning)), beginning_(beginning) {
+  require_file(checkpoint_in(place_.path()));
+}
 
 Keeper RunDirectory::keeper(Keeper when, Checkpoint run) {
   run_ = std::move(run);
@@ -33,7 +35,7 @@ Keeper RunDirectory::keeper(Keeper when, Checkpoint run) {
         run_, [&](std::ostream& bytes) { bytes << run_.run.state; }, path());
     is_kept_ = true;
   }
-  run_.run.state.clear();
+  std::string().swap(run_.run.state);
   when.keep = [this](const Headway& headway, const StateWriter& state) { keep(headway, state); };
   return when;
 }
@@ -55,14 +57,17 @@ void RunDirectory::keep(const Headway& headway, const StateWriter& state) {
     failure_ = error;
     return;
   }
-  if (!is_kept_) remove_run(path());
+  if (!is_kept_) {
+    remove_run(path());
+    compare::remove_comparison(path());
+  }
   is_kept_ = true;
 }
 
 void RunDirectory::save(const RunRecord& run, const description::Scene& scene, double exposure) {
-  if (!is_kept_) std::filesystem::remove(checkpoint_in(path()));
   write_run(run, scene, path(), exposure);
-  compare::remove_comparison(path());
+  if (!is_kept_) remove_file(checkpoint_in(path()));
+  if (beginning_ == Beginning::anew) compare::remove_comparison(path());
 }
 
 void RunDirectory::require_kept() const {

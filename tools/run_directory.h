@@ -18,7 +18,7 @@ namespace wander {
 enum class Beginning { anew, carried_on, carried_further };
 
 // What stood there before a run that replaces it goes when there is something of the new one, and no sooner: a
-// program that is killed leaves the one or the other, and no film of one run beside the checkpoint of another.
+// program that is killed leaves the one or the other.
 class RunDirectory {
  public:
   // Throws as OutputDirectory does.

@@ -100,8 +100,8 @@ void remove_comparison(const fs::path& directory) {
   std::error_code absent;
   if (holds_kept_comparison(directory)) fs::remove_all(kept_in(directory), absent);
   if (!holds_comparison(directory)) return;
-  for (const char* name : {document, report, table}) fs::remove(directory / name, absent);
   Files(directory).remove_others();
+  for (const char* name : {table, report, document}) fs::remove(directory / name, absent);
 }
 
 void write_comparison(const Comparison& comparison, const description::Scene& scene,

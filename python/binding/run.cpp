@@ -17,6 +17,7 @@
 
 #include "lab/checkpoint.h"
 #include "lab/failure.h"
+#include "lab/few_steps.h"
 #include "lab/held_run.h"
 #include "lab/parsing.h"
 #include "lab/run_warnings.h"
@@ -78,7 +79,7 @@ class BoundRun {
                             listening.tell(report);
                             if (resting.is_due(report)) listening.stop();
                           }};
-    budget_ = budget;
+    to_budget(budget);
     BoundRecord made;
     try {
       listening.carry_out([&] { made = computed(session); });
@@ -122,6 +123,14 @@ class BoundRun {
     std::atomic<bool>& taken_;
   };
 
+  void to_budget(const std::string& budget) {
+    const bool is_another = !budget_.empty() && budget != budget_;
+    if (is_another && is_of_few_steps(parse_budget(budget_), request_.job())) {
+      run_.reset();
+      from_ = {};
+    }
+    budget_ = budget;
+  }
   BoundRecord computed(const Session& session) {
     if (!run_) {
       run_ = std::make_unique<HeldRun>(request_.job(), session, from_);

@@ -38,12 +38,12 @@ class ObjReader {
   }
 
  private:
-  // With those that a backslash at its end joins to it.
+  // With those that a backslash at its end joins to it; a comment ends with its line, whatever its last character is.
   std::string_view next_line() {
-    std::string_view line = text_.next_line();
-    if (!line.ends_with('\\')) return line;
+    std::string_view line = text_.next_line(), rest = line;
+    if (!line.ends_with('\\') || take_word(rest).starts_with('#')) return line;
     joined_.clear();
-    for (; line.ends_with('\\') && !text_.at_end(); line = text_.next_line())
+    for (; line.ends_with('\\'); line = text_.at_end() ? "" : text_.next_line())
       joined_.append(line.substr(0, line.size() - 1)).append(" ");
     return joined_.append(line);
   }

@@ -46,7 +46,8 @@ class ShapeReader {
           matrix_ = decltype(matrix_)(1);  // to tell what else is wrong
         }
         (this->*read)(shape);
-        if (!json_.is_null()) finish(shape);
+        if (json_.is_null()) return;  // what it lacks is told
+        finish(shape);
         shape.done();
         return;
       }

@@ -109,7 +109,8 @@ TEST(Jobs, AreRefusedWhereTheyCannotBeComputed) {
             2u);
   EXPECT_EQ(
       why_unfit(coloured_box(), find_method("pt"), {.precision = Precision::of_float}).front(),
-      "scenes of 3 dimensions in colour cannot be computed in precision float");
+      "scenes of 3 dimensions in colour cannot be computed in precision float, which is for the "
+      "plane; leave --precision out");
 }
 
 TEST(FilmShape, IsThatOfTheSceneThatIsBuilt) {

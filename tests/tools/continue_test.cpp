@@ -53,11 +53,22 @@ TEST_F(Continuing, AFinishedRunGoesOnToALargerBudget) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_HAS(outcome.err, "carried on from 10003 samples, to 30001");
   EXPECT_EQ(numbers_in("short"), numbers_in("long"));
-  ASSERT_EQ(wander("render box.json -m mlt -b 2k -q -o chains").exit_code, 0);
+  ASSERT_EQ(wander("render box.json -m mlt -b 2k --film chains -q -o chains").exit_code, 0);
   const Outcome chains = wander("render --continue -o chains -b 5k");
   EXPECT_EQ(chains.exit_code, 0) << chains.err;
   EXPECT_HAS(chains.err, "the seed pass and the number of chains stay");
   EXPECT_EQ(numbers_in("chains")["samples"], 5000);
+}
+
+// Such a plan leaves the light to the seed pass, of which many steps have a small part.
+TEST_F(Continuing, ThePlanOfFewStepsIsNotCarriedOnToMany) {
+  ASSERT_EQ(wander("render box.json -m mlt -b 5k -q -o whole").exit_code, 0);
+  ASSERT_EQ(wander("render box.json -m mlt -b 2k -q -o few").exit_code, 0);
+  const Outcome outcome = wander("render --continue -o few -b 5k");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_HAS(outcome.err, "begun again");
+  EXPECT_EQ(numbers_in("few"), numbers_in("whole"));
+  EXPECT_LACKS(wander("render --continue -o few -b 5k").err, "begun again");
 }
 
 TEST_F(Continuing, ATimeIsThatOfTheWholeRun) {

@@ -39,14 +39,32 @@ TEST_F(RunDirectoryOf, OfAnotherRunIsLeftUntilThereIsSomethingOfTheNew) {
   EXPECT_TRUE(bytes_of("run/checkpoint") == checkpoint);
   // With something of the new one nothing is left of the old.
   shell(
-      "timeout -s KILL 1 \"$WANDER\" render box.json -m pt -b 3h -s 2 --force -q -o run "
-      "--checkpoint 0.1");
+      "cp run/checkpoint before; \"$WANDER\" render box.json -m pt -b 3h -s 2 --force -q -o run "
+      "--checkpoint 0.1 & n=0; while cmp -s run/checkpoint before && [ $n -lt 600 ]; do sleep 0.1; "
+      "n=$((n+1)); done; sleep 0.2; kill -9 $!");
   EXPECT_FALSE(bytes_of("run/checkpoint") == checkpoint);
   EXPECT_FALSE(exists("run/run.json"));
   EXPECT_FALSE(exists("run/film.exr"));
   EXPECT_HAS(wander("inspect run").err, "did not come to its end");
   ASSERT_EQ(wander("render --continue -o run -b 100ms -q").exit_code, 0);
   EXPECT_EQ(json::parse(bytes_of("run/run.json"))["seed"], 2);
+}
+
+TEST_F(RunDirectoryOf, IsRefusedBeforeTheRunWhereItsCheckpointCannotBe) {
+  fs::create_directories(folder / "run/checkpoint/mine");
+  const Outcome outcome = wander("render box.json -m pt -b 3h -o run --force");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_HAS(outcome.err, "cannot write run/checkpoint: Is a directory");
+}
+
+// Nor is what was kept of the old one gone where nothing of the new one fits.
+TEST_F(RunDirectoryOf, ThatCannotBeReplacedStaysWhole) {
+  ASSERT_EQ(wander("render box.json -m mlt -b 20k -q -o run").exit_code, 0);
+  EXPECT_EQ(shell("ulimit -f 4; \"$WANDER\" render box.json -m mlt -b 20k -q -s 2 --force -o run")
+                .exit_code,
+            1);
+  EXPECT_EQ(json::parse(bytes_of("run/run.json"))["seed"], 1);
+  EXPECT_EQ(wander("render --continue -o run -q").exit_code, 0);
 }
 
 TEST_F(RunDirectoryOf, WithoutACheckpointHasNoneOfAnother) {
@@ -85,6 +103,14 @@ TEST_F(RunDirectoryOf, WhatIsReadIsNotReplaced) {
     EXPECT_EQ(outcome.exit_code, 2) << command;
     EXPECT_HAS(outcome.err, "would be replaced");
   }
+  ASSERT_EQ(wander("render box.json -m mlt -b 20k -q -o reference").exit_code, 0);
+  for (const char* reference : {"reference", "reference/run.json"})
+    EXPECT_EQ(wander(std::string("compare box.json -b 2k --replicates 2 --force -o reference "
+                                 "--reference ") +
+                     reference)
+                  .exit_code,
+              2);
+  EXPECT_TRUE(exists("reference/run.json"));
   EXPECT_EQ(bytes_of("box.json"), box);
   EXPECT_EQ(bytes_of("box.svg"), box);
 }

@@ -47,6 +47,8 @@ TEST(ObjFiles, HaveFansForFacesOfManyCorners) {
             (Corners{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}))
       << "a backslash joins lines";
   EXPECT_EQ(parse_obj(square + "f 1 2 3\\").corners, (Corners{{0, 1, 2}}));
+  EXPECT_EQ(parse_obj("# of C:\\models\\\n" + square + "f 1 2 3").corners, (Corners{{0, 1, 2}}))
+      << "but not a comment";
   EXPECT_EQ(parse_obj(square + "f 4/1/1 2//3 1/2 # so").corners, (Corners{{3, 1, 0}}));
 }
 
