@@ -86,11 +86,11 @@ TEST_F(Merge, NeedsTheCheckpointOfEachRun) {
   render_pair("-m bdpt -b 2k");
   render("bare", "-m bdpt -b 2k -s 3 --checkpoint 0");
   expect_refused("a bare -o x", 2, {"bare holds no checkpoint", "--checkpoint 0", "leave it out"});
-  expect_refused("a nowhere -o x", 2, {"nowhere holds no checkpoint"});
+  expect_refused("a nowhere -o x", 2, {"nowhere: there is no such directory"});
   const Outcome both = wander("merge bare a nowhere -o x");
   EXPECT_EQ(both.exit_code, 2);
   EXPECT_HAS(both.err, "bare holds no checkpoint");
-  EXPECT_HAS(both.err, "nowhere holds no checkpoint");
+  EXPECT_HAS(both.err, "nowhere: there is no such directory");
 }
 
 TEST_F(Merge, OfADamagedRunIsRefused) {
@@ -181,7 +181,7 @@ TEST_F(Merge, MakesARunAsOthersAre) {
 TEST_F(Merge, NeedsAPlaceForItsOutput) {
   render_pair("-m bdpt -b 2k");
   expect_refused("a b", 2, {"merge needs -o DIR", "--json"});
-  expect_refused("a b -o b --force", 2, {"-o b is one of the runs"});
+  expect_refused("a b -o b --force", 2, {"-o b is one of those that are read"});
   render("old", "-m pt -b 2k");
   expect_refused("a b -o old", 2, {"old holds a run", "--force"});
   EXPECT_EQ(wander("merge a b -o old --force -q").exit_code, 0);

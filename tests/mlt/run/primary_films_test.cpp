@@ -80,7 +80,7 @@ TEST_P(PrimaryFilms, AreThoseOfIndependentSamples) {
     Rendering samples;
     for (const Estimator& estimator : estimators())
       if (std::string_view(estimator.name) == "bdpt")
-        samples = estimate(*scene, estimator, budget_of(40'000, 2));
+        samples = estimate(*scene, estimator, budget_of(400'000, 2));
     const Decision agree =
         films_agree(render(*scene, 40'000).film, samples.film, usual_false_alarm);
     EXPECT_TRUE(passes(agree));
