@@ -172,9 +172,8 @@ void warn_of_rare_light(Rendering& r, std::span<const GroupFindings> groups) {
   const SeldomSeen rare = seldom_seen(techniques, r.film, samples);
   r.warnings.push_back(fmt::format(
       "techniques (n, s) that found light in few samples, most of it {}, carry {} of the film: "
-      "bins "
-      "that have seen none of it may be called reliable and be too low; a larger budget finds more "
-      "of it",
+      "bins that have seen none of it may be called reliable and be too low; a larger budget finds "
+      "more of it",
       rare.names, rare.share));
 }
 

@@ -49,15 +49,16 @@ DoubtedBins doubted_bins(const FilmEstimate& film, std::uint64_t samples) {
 }
 
 std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate& film,
-                            std::uint64_t samples, DoubtedBins bins, std::string_view remedy) {
+                            std::uint64_t samples) {
+  const DoubtedBins bins = doubted_bins(film, samples);
   if (2 * bins.doubtful <= bins.seen) return "";
   const SeldomSeen rare = seldom_seen(techniques, film, samples);
   return fmt::format(
       "{} of {} bins that samples enough have found cannot be called reliable: techniques (n, s) "
       "that found light in few "
       "samples, most of it {}, carry {} of the film, and what they did not find is in no error "
-      "bar; {}",
-      bins.doubtful, bins.seen, rare.names, rare.share, remedy);
+      "bar; a larger budget finds more of it, and so may mlt",
+      bins.doubtful, bins.seen, rare.names, rare.share);
 }
 
 void doubt_what_was_not_met(Rendering& rendering, MetByChance end, const BinSums& met) {
@@ -76,9 +77,7 @@ void add_doubts(Rendering& rendering, const TechniqueTally& techniques, MetByCha
   const std::size_t before = rendering.warnings.size();
   doubt_what_was_not_met(rendering, end, met);
   if (rendering.warnings.size() > before) return;
-  std::string rare = rare_techniques(techniques, rendering.film, rendering.samples,
-                                     doubted_bins(rendering.film, rendering.samples),
-                                     "a larger budget finds more of it, and so may mlt");
+  std::string rare = rare_techniques(techniques, rendering.film, rendering.samples);
   if (!rare.empty()) rendering.warnings.push_back(std::move(rare));
 }
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 #include "core/film.h"
 #include "core/scene.h"
@@ -35,7 +34,7 @@ DoubtedBins doubted_bins(const FilmEstimate& film, std::uint64_t samples);
 
 // Why they are called unreliable.  Empty where most have no such doubt.
 std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate& film,
-                            std::uint64_t samples, DoubtedBins bins, std::string_view remedy);
+                            std::uint64_t samples);
 
 // Of a film whose samples met the ends that light needs to be met by chance so often: if that is hardly ever, no bin of it is
 // reliable, and it says so.

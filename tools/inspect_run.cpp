@@ -155,9 +155,7 @@ std::string text_of_comparison(const ordered_json& comparison) {
   if (!comparison["same_scene"].get<bool>())
     text += "  warning         the reference is of another scene file\n";
   if (comparison["may_share_samples"].get<bool>())
-    text +=
-        "  warning         both are of one seed: they agree better than they are right, as far as\n"
-        "                  they were made of the same samples; take runs of two seeds (-s)\n";
+    text += fmt::format("  warning         {}\n", doubt_of_one_seed);
   text += fmt::format("  relative RMSE   {}\n", share(comparison["relative_rmse"]));
   if (comparison["bins"].get<std::size_t>() == 0)
     return text + "  bins            none is reliable in both: nothing more can be compared\n";

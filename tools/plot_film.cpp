@@ -79,10 +79,7 @@ std::string label_of(const Film& film, const std::vector<Film>& films) {
 figure::LabelledFilm reference_film(const Film& film, std::span<const Film> others) {
   for (const Film& other : others)
     if (may_share_samples(other.run.rendering, film.run.rendering))
-      spdlog::warn(
-          "{} and its reference {}: both are of one seed, and agree better than they are right, as "
-          "far as they were made of the same samples; take runs of two seeds (-s)",
-          other.path, film.path);
+      spdlog::warn("{} and its reference {}: {}", other.path, film.path, doubt_of_one_seed);
   return {name_of_reference(film.run.rendering), film.run.rendering};
 }
 

@@ -1,11 +1,13 @@
 // Which bins of a film of chains are reliable: whose t-interval holds what it promises.
 //
-// A bin is known as n independent events would tell it when its value is √n standard errors.  The
-// error that a bin claims comes from few groups, grows with what fell into the bin, and is too small
-// where the value is: bins chosen by their own claim are often those that claim too little.  So what
-// is asked of a bin, a hundred events (`fewest_effective_samples`), is asked of the median of the lit
-// bins around it, itself among them, and of itself no more than half as many; or four times as many
-// of itself, whatever lies around it.
+// A bin of value v and standard error σ is known as n = v²/σ² independent events would tell it, each of
+// the weight v/n = σ²/v.  The error that a bin claims comes from few groups, grows with what fell into
+// the bin, and is too small where the value is: bins chosen by their own claim are often those that
+// claim too little, and a bin that has met none of the rare light around it claims least.  So the lit
+// bins around it, itself among them, say what an event weighs there: w̄, the mean of their σ²/v, which
+// is not small by chance as one of them may be.  By it the bin is known as v/w̄ events; of these it is asked
+// three quarters of a hundred (`fewest_effective_samples`), and by its own claim a half, and that this is
+// no more than six times as much.
 #pragma once
 
 #include <cstddef>

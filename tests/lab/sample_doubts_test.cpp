@@ -23,8 +23,7 @@ SampleFilm film_seen(double rare) {
 
 std::string said_of(const SampleFilm& film) {
   const FilmEstimate estimate = film.estimate(shape);
-  return rare_techniques(film.techniques(), estimate, film.samples(),
-                         doubted_bins(estimate, film.samples()), "look again");
+  return rare_techniques(film.techniques(), estimate, film.samples());
 }
 
 // Σ x of a bin has a standard error of √(603 + 4 rare²) or so; its part of the rare light, 4.25 rare, may be half of it.
@@ -50,7 +49,7 @@ TEST(RareTechniques, AreNotBlamedForBinsOfFewSamples) {
   EXPECT_EQ(reliable_bins(estimate), 0u);
   const DoubtedBins bins = doubted_bins(estimate, film.samples());
   EXPECT_EQ(bins.seen, 0u);
-  EXPECT_EQ(rare_techniques(film.techniques(), estimate, film.samples(), bins, ""), "");
+  EXPECT_EQ(rare_techniques(film.techniques(), estimate, film.samples()), "");
 }
 
 // What was met: so often a lamp by s = 0, and a sensor by t = 0, of so many vertices.

@@ -252,7 +252,7 @@ TEST_F(CommandLine, StdoutThatCannotBeWrittenIsExitOne) {
 }
 
 TEST_F(CommandLine, AnInterruptedRunIsSavedAsIncomplete) {
-  for (const std::string signal : {"INT", "TERM"}) {
+  for (const std::string signal : {"INT", "TERM", "HUP"}) {
     const Outcome outcome =
         shell("timeout -s " + signal +
               " --preserve-status 1 \"$WANDER\" render box.json -m bdpt -b 60s -t 1 -o " + signal);
@@ -270,6 +270,14 @@ TEST_F(CommandLine, OneInterruptionThatArrivesTwiceIsSavedToo) {
       "sleep 0.02; kill -INT $run; wait $run");
   EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
   EXPECT_EQ(json::parse(contents(folder / "twice" / "run.json"))["complete"], false);
+}
+
+// As `nohup` has it.
+TEST_F(CommandLine, AHangUpThatIsIgnoredInterruptsNothing) {
+  const Outcome outcome = shell(
+      "trap '' HUP; \"$WANDER\" render box.json -m bdpt -b 3s -t 1 -o on & run=$!; sleep 1; kill "
+      "-HUP $run; wait $run");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 // ---- inspect and gallery
