@@ -25,7 +25,7 @@ Session session_of(std::uint64_t samples) {
 template <class Kernel>
 FilmEstimate by_chains(const Scene<Flatland>& scene, const Kernel& kernel) {
   const Flat space(scene, Roulette::off);
-  const Session session = session_of(300'000);
+  const Session session = session_of(400'000);
   return ChainRenderer(space, kernel, session, ChainSettings{}).render("mlt").film;
 }
 FilmEstimate by_samples(const Scene<Flatland>& scene) {

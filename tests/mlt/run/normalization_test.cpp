@@ -94,8 +94,11 @@ TEST(NormalizedFilm, IsBTimesTheShareOfTheDepositsWithTheErrorOfBoth) {
 
 TEST(NormalizedFilm, TrustsBinsOfEnoughGroupsAndSamples) {
   Groups groups;
-  for (int g = 0; g < 20; ++g) groups.add(3, 10 + g % 2, g == 0 ? 8 : 0);
-  const Constant b{.b = {0.3, 0}, .without = std::vector<double>(20, 0.3)};
+  Constant b{.b = {0.3, 0.015}};
+  for (int g = 0; g < 20; ++g) {
+    groups.add(3, 100, g == 0 ? 8 : 0);
+    b.without.push_back(g % 2 == 0 ? 0.297 : 0.303);
+  }
   const FilmEstimate film = normalized_film(groups.findings(), b, {2});
   EXPECT_TRUE(film.reliable[0]);
   EXPECT_FALSE(film.reliable[1]) << "one group alone reached it";
