@@ -195,7 +195,7 @@ class Comparison:
             edits = self.edits(x, y)
             if edits is None and not (x.type in STATEMENTS and y.type in STATEMENTS):
                 return found + [self.edit(old[k:last], new[k:last], "statements")]
-            found += [self.edit([x], [y], "statements")] if edits is None else edits
+            found += [self.edit([x], [y], "statements", x.start_byte)] if edits is None else edits
         return found
 
     def of_function(self, old, new, old_head, new_head):

@@ -45,6 +45,11 @@ class Statements(unittest.TestCase):
                          f"void f() {{ if ({on(0)}) {{  }} else {{ g(); }} "
                          f"if ({on(1)}) {{ k(); }} else {{  }}h(); }}")
 
+    def test_a_statement_stands_where_a_last_comment_was(self):
+        self.assertEqual(both("void f() { g();  // g\n}", "void f() { k();\nreturn; }"),
+                         f"void f() {{ if ({on(0)}) {{ k(); }} else {{ g(); }}  "
+                         f"if ({on(0)}) {{ return; }} else {{  }}// g\n}}")
+
     def test_cases_are_statements_of_their_own(self):
         old = "void f() { switch (a) { case 1: g(); break; default: h(); } }"
         self.assertEqual(both(old, old.replace("g()", "k()")),
