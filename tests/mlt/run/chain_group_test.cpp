@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 
 #include "lab/render.h"
+#include "mlt/primary/multiplexed_chain.h"
 #include "mlt/run/mmlt_group.h"
 #include "mlt/run/pssmlt_group.h"
 #include "mutations/catalogue.h"
@@ -148,6 +150,16 @@ TEST(LengthSequences, BeginWhereTheyAreTold) {
     LengthSequence lengths({0.25, 0.5, 0.25}, first);
     EXPECT_EQ(lengths.next(), first < 0.25 ? 0u : first < 0.75 ? 1u : 2u) << first;
   }
+}
+
+// What two of them drew alike would show in no film: each by itself is right.
+TEST(LengthNumbers, GiveEveryChainOfEveryGroupAStreamOfItsOwn) {
+  std::set<double> first;
+  for (int group = 0; group < 3; ++group) {
+    const LengthNumbers numbers(7, group, 4);
+    for (int k = 0; k < 4; ++k) first.insert(numbers.chain(k).uniform());
+  }
+  EXPECT_EQ(first.size(), 12u);
 }
 
 // All light that others found is in paths of two vertices: 0.9 of the steps go there, and a tenth
