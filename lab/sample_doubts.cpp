@@ -55,9 +55,8 @@ std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate
   const SeldomSeen rare = seldom_seen(techniques, film, samples);
   return fmt::format(
       "{} of {} bins that samples enough have found cannot be called reliable: techniques (n, s) "
-      "that found light in few "
-      "samples, most of it {}, carry {} of the film, and what they did not find is in no error "
-      "bar; a larger budget finds more of it, and so may mlt",
+      "that found light in few samples, most of it {}, carry {} of the film, and what they did not "
+      "find is in no error bar; a larger budget finds more of it, and so may mlt",
       bins.doubtful, bins.seen, rare.names, rare.share);
 }
 

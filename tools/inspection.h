@@ -22,8 +22,7 @@ std::string text_of_scene(const nlohmann::ordered_json& inspection);
 bool may_share_samples(const Rendering& run, const Rendering& reference);
 inline constexpr std::string_view doubt_of_one_seed =
     "both are of one seed: they agree better than they are right, as far as they were made of the "
-    "same samples; take "
-    "runs of two seeds (-s)";
+    "same samples; take runs of two seeds (-s)";
 
 // A run held against another one of the same scene.  Throws UsageError if the films differ in
 // shape.
