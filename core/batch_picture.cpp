@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/film.h"
+#include "core/reliability.h"
 
 namespace wander {
 

@@ -6,6 +6,8 @@
 #include <functional>
 #include <limits>
 
+#include "core/reliability.h"
+
 namespace wander {
 
 std::size_t make_room(FilmEstimate& film) {
@@ -172,13 +174,20 @@ FilmEstimate SampleFilm::estimate(std::span<const int> shape) const {
   return film;
 }
 
-void doubt_rare_light(FilmEstimate& film, const TechniqueTally& techniques, std::uint64_t samples) {
-  const double pixels = static_cast<double>(film.value.size()) / channels_of(film.shape);
+double fewest_samples_of_technique(std::span<const int> shape) {
+  return fewest_technique_samples *
+         std::max(1.0, static_cast<double>(values_of(pixels_of(shape))) / bins_of_neighbourhood);
+}
+
+std::vector<bool> without_rare_light(const FilmEstimate& film, const TechniqueTally& techniques,
+                                     std::uint64_t samples) {
   // What a bin would have of it, were it spread evenly.
-  const double rare = techniques.rare_light(fewest_technique_samples * pixels) /
+  const double rare = techniques.rare_light(fewest_samples_of_technique(film.shape)) /
                       static_cast<double>(std::max<std::uint64_t>(samples, 1));
-  for (std::size_t i = 0; i < film.value.size(); ++i)
-    film.reliable[i] = film.reliable[i] && rare <= most_rare_light * film.standard_error[i];
+  std::vector<bool> without;
+  without.reserve(film.value.size());
+  for (const double error : film.standard_error) without.push_back(rare <= most_rare_light * error);
+  return without;
 }
 
 // The value of a pixel is pixels · E[x]: the mean of the film is E of a whole sample.
@@ -197,9 +206,10 @@ FilmEstimate estimate_of_samples(std::span<const int> shape, std::uint64_t sampl
     film.value.push_back(samples > 0 ? pixels * sum / n : 0);
     film.standard_error.push_back(samples > 1 ? pixels * std::sqrt(variance / n)
                                               : std::numeric_limits<double>::quiet_NaN());
-    film.reliable.push_back(of_bin.effective_samples() >= fewest_effective_samples);
   }
-  doubt_rare_light(film, techniques, samples);
+  const std::vector<bool> without = without_rare_light(film, techniques, samples);
+  film.reliable = reliability_of_samples(film, samples);
+  for (std::size_t i = 0; i < count; ++i) film.reliable[i] = film.reliable[i] && without[i];
   return film;
 }
 

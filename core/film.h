@@ -19,15 +19,15 @@
 
 namespace wander {
 
-// A bin is reliable when at least this many effective samples, (Σ x)² / Σ x² [Kish 1965], reached
-// it: then no few samples dominate it, and its t-interval holds what it promises.
-inline constexpr double fewest_effective_samples = 100;
-
-// What a bin has not seen is no part of its error bar.  Techniques (n, s) that are seen less than
-// this often per bin, in effective samples, are rare: as many of them, those of the brightest paths first, as all
-// together are.  They may not carry more than this many standard errors of a bin, or else the bin is not reliable.
-inline constexpr double fewest_technique_samples = 10;
+// What a bin has not seen is no part of its error bar, nor of those around it where they have not seen it either.
+// Techniques (n, s) of which a neighbourhood (core/reliability.h) sees less than this in the mean, in effective samples, so two
+// and a half of each of its bins, are rare: as many of them, those of the brightest paths first, as all together are.
+// They may not carry more than this many standard errors of a bin, or else the bin is not reliable.
+inline constexpr double fewest_technique_samples = 22.5;
 inline constexpr double most_rare_light = 0.5;
+
+// Techniques that have fewer effective samples on a whole film of this shape may be rare.
+double fewest_samples_of_technique(std::span<const int> shape);
 
 // Room for so many bins as the shape of a film says, of which nothing is known yet; returns how many.
 std::size_t make_room(FilmEstimate& film);
@@ -123,8 +123,9 @@ class TechniqueTally {
   std::vector<BinSums> sums_;
 };
 
-// Takes back that a bin is reliable where techniques that were seen seldom carry too much of it.
-void doubt_rare_light(FilmEstimate& film, const TechniqueTally& techniques, std::uint64_t samples);
+// Bins of which techniques that were seen seldom do not carry too much.
+std::vector<bool> without_rare_light(const FilmEstimate& film, const TechniqueTally& techniques,
+                                     std::uint64_t samples);
 
 // The film, but for its parts by length.
 FilmEstimate estimate_of_samples(std::span<const int> shape, std::uint64_t samples,

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/reliability.h"
 #include "lab/film_mean.h"
 #include "lab/seldom_seen.h"
 #include "mlt/run/large_pooled_film.h"
@@ -93,7 +94,7 @@ FilmEstimate ChainFindings::unbiased() const {
     groups += part.settings.groups;
   }
   FilmEstimate film = mean_film(films);
-  tell_reliable(film, static_cast<std::size_t>(groups));
+  film.reliable = reliability_of_groups(film, static_cast<std::size_t>(groups));
   return film;
 }
 
@@ -163,11 +164,13 @@ void warn_of_rare_light(Rendering& r, std::span<const GroupFindings> groups) {
   for (const GroupFindings& group : groups.subspan(1))
     techniques.merge(group.parts.front().techniques());
   const std::uint64_t samples = tally_of(groups).samples;
-  std::vector<bool> reliable = r.film.reliable;
-  doubt_rare_light(r.film, techniques, samples);
-  const auto bins = std::ranges::count(reliable, true),
-             left = std::ranges::count(r.film.reliable, true);
-  r.film.reliable = std::move(reliable);
+  const std::vector<bool> without = without_rare_light(r.film, techniques, samples);
+  std::size_t bins = 0, left = 0;
+  for (std::size_t i = 0; i < without.size(); ++i) {
+    if (!r.film.reliable[i]) continue;
+    ++bins;
+    left += without[i] ? 1 : 0;
+  }
   if (2 * left >= bins) return;
   const SeldomSeen rare = seldom_seen(techniques, r.film, samples);
   r.warnings.push_back(fmt::format(

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <vector>
 
 #include "core/film_statistics.h"
+#include "core/reliability.h"
 #include "lab/seldom_seen.h"
 
 namespace wander {
@@ -27,21 +29,13 @@ Words words_of(MetByChance end) {
           "a larger budget, or larger lamps or sensors"};
 }
 
-// (Σ x)² / Σ x² of a bin of n independent samples, from its mean and the error of that.
-double effective_samples(double value, double error, double n) {
-  const double mean_square = (n - 1) * error * error + value * value;
-  return mean_square > 0 ? n * value * value / mean_square : 0;
-}
-
 }  // namespace
 
-// Bins that few samples have found are not reliable for that alone.
 DoubtedBins doubted_bins(const FilmEstimate& film, std::uint64_t samples) {
+  const std::vector<bool> seen = reliability_of_samples(film, samples);
   DoubtedBins bins;
-  for (std::size_t i = 0; i < film.value.size(); ++i) {
-    if (effective_samples(film.value[i], film.standard_error[i], static_cast<double>(samples)) <
-        fewest_effective_samples)
-      continue;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!seen[i]) continue;
     ++bins.seen;
     bins.doubtful += film.reliable[i] ? 0 : 1;
   }

@@ -26,7 +26,7 @@ MetByChance met_by_chance(const Scene<W>& scene, MetByChance of_method) {
   return of_method;
 }
 
-// Of bins that would be reliable, those that are not for light that techniques seldom find (doubt_rare_light()).
+// Of bins that would be reliable, those that are not for light that techniques seldom find (without_rare_light()).
 struct DoubtedBins {
   std::size_t seen = 0, doubtful = 0;
 };

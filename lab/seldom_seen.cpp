@@ -14,10 +14,9 @@ namespace wander {
 SeldomSeen seldom_seen(const TechniqueTally& techniques, const FilmEstimate& film,
                        std::uint64_t samples) {
   constexpr std::size_t most_named = 3;
-  const double pixels = static_cast<double>(film.value.size()) / channels_of(film.shape);
   double light = 0;
   std::vector<std::string> names;
-  for (const RareTechnique& technique : techniques.rare(fewest_technique_samples * pixels)) {
+  for (const RareTechnique& technique : techniques.rare(fewest_samples_of_technique(film.shape))) {
     light += technique.light;
     if (names.size() < most_named)
       names.push_back(fmt::format("({}, {})", technique.vertices, technique.technique));

@@ -60,7 +60,7 @@ FilmEstimate GroupsFilm::estimate() const {
     film.standard_error.push_back(groups_ > 1 ? std::sqrt(variance)
                                               : std::numeric_limits<double>::quiet_NaN());
   }
-  tell_reliable(film, static_cast<std::size_t>(groups_));
+  film.reliable = reliability_of_groups(film, static_cast<std::size_t>(groups_));
   film.by_length = lengths_;
   for (auto& [vertices, values] : film.by_length)
     for (double& value : values) value /= groups_;

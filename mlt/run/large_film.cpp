@@ -87,7 +87,7 @@ FilmEstimate mean_film(const SharedLight& run, std::vector<int> shape) {
     film.value.push_back(pixels * mean);
     film.standard_error.push_back(error);
   }
-  tell_reliable(film, parts.count());
+  film.reliable = reliability_of_groups(film, parts.count());
   film.by_length = by_length(runs, pixels);
   return film;
 }
@@ -144,7 +144,7 @@ FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& 
     film.value.push_back(value);
     film.standard_error.push_back(error);
   }
-  tell_reliable(film, lit);
+  film.reliable = reliability_of_groups(film, lit);
   film.degrees_of_freedom = jackknife_degrees(deviations);
   film.by_length = by_length(runs, b * pixels * static_cast<double>(parts.count()) / mass);
   return film;

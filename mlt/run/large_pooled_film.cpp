@@ -221,7 +221,7 @@ PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupF
     for (std::size_t f = 0; f < without.size(); ++f)
       deviations[f] += (without[f] - value) * (without[f] - value);
   }
-  tell_reliable(film, pool.lit());
+  film.reliable = reliability_of_groups(film, pool.lit());
   // The samples' part has as many as it has samples [Satterthwaite 1946].
   const double ratio = of_chains > 0 ? 1 + of_samples / of_chains : 1;
   film.degrees_of_freedom = std::min(jackknife_degrees(deviations) * ratio * ratio, 1e6);

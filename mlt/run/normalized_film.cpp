@@ -58,7 +58,7 @@ FilmEstimate normalized_film(std::span<const GroupFindings> groups, const Consta
       deviations[g] += d * d;
     }
   }
-  tell_reliable(film, static_cast<std::size_t>(lit));
+  film.reliable = reliability_of_groups(film, static_cast<std::size_t>(lit));
   film.degrees_of_freedom = jackknife_degrees(deviations);
   film.by_length = by_length(groups, constant.b.value * bins / mass_of(films));
   return film;

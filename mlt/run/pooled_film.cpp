@@ -231,7 +231,7 @@ PooledFilm pooled_film(std::span<const GroupFindings> groups, std::span<const in
     for (std::size_t g = 0; g < groups.size(); ++g)
       deviations[g] += (without[g] - value) * (without[g] - value);
   }
-  tell_reliable(film, static_cast<std::size_t>(lit));
+  film.reliable = reliability_of_groups(film, static_cast<std::size_t>(lit));
   film.degrees_of_freedom = jackknife_degrees(deviations);
   film.by_length = pool.by_length();
   return {std::move(film), pool.level() * pool.mean().of_samples / constant.b.value,

@@ -1,73 +1,14 @@
 #include "mlt/run/reliability.h"
 
-#include <algorithm>
-#include <optional>
-#include <span>
-
-#include "core/film.h"
+#include "core/reliability.h"
 #include "mlt/run/deposit.h"
 
 namespace wander {
 
-namespace {
-
-constexpr double fewest_own_events = fewest_effective_samples / 2;
-constexpr double fewest_events_around = 3 * fewest_effective_samples / 4;
-constexpr double most_own_to_around = 6;
-
-// A film as rows of places; those of one channel lie `channels` apart.
-struct Grid {
-  explicit Grid(std::span<const int> shape)
-      : rows(shape.size() > 1 ? shape[0] : 1),
-        columns(shape.size() > 1 ? shape[1] : shape[0]),
-        channels(shape.size() > 2 ? shape[2] : 1),
-        reach(shape.size() > 1 ? 1 : bins_to_each_side) {}
-
-  int rows, columns, channels, reach;
-};
-
-// What an event weighs by the bin's own claim; none where the bin is dark or its error cannot be told.
-std::optional<double> weight(const FilmEstimate& film, std::size_t bin) {
-  const double value = film.value[bin], error = film.standard_error[bin];
-  if (!(value > 0 && error >= 0)) return std::nullopt;
-  return error / value * error;
-}
-
-// The mean of them around a bin that has one.
-double weight_around(const FilmEstimate& film, const Grid& grid, std::size_t bin) {
-  const auto channels = static_cast<std::size_t>(grid.channels);
-  const auto columns = static_cast<std::size_t>(grid.columns), place = bin / channels;
-  const auto row = static_cast<int>(place / columns), column = static_cast<int>(place % columns);
-  double sum = 0;
-  int count = 0;
-  for (int r = std::max(0, row - grid.reach); r <= std::min(grid.rows - 1, row + grid.reach); ++r)
-    for (int c = std::max(0, column - grid.reach);
-         c <= std::min(grid.columns - 1, column + grid.reach); ++c) {
-      const auto there =
-          (static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c)) * channels +
-          bin % channels;
-      if (const auto w = weight(film, there)) {
-        sum += *w;
-        ++count;
-      }
-    }
-  return sum / count;
-}
-
-}  // namespace
-
-void tell_reliable(FilmEstimate& film, std::size_t groups) {
-  film.reliable.assign(film.value.size(), false);
-  if (groups < static_cast<std::size_t>(GroupsFilm::fewest_groups)) return;
-  const Grid grid(film.shape);
-  for (std::size_t bin = 0; bin < film.value.size(); ++bin) {
-    const auto own = weight(film, bin);
-    if (!own) continue;
-    const double value = film.value[bin], around = weight_around(film, grid, bin);
-    film.reliable[bin] = value >= fewest_own_events * *own &&
-                         value >= fewest_events_around * around &&
-                         around <= most_own_to_around * *own;
-  }
+std::vector<bool> reliability_of_groups(const FilmEstimate& film, std::size_t groups) {
+  if (groups < static_cast<std::size_t>(GroupsFilm::fewest_groups))
+    return std::vector<bool>(film.value.size());
+  return reliability(film, [](double value, double error) { return error / value * error; });
 }
 
 }  // namespace wander

@@ -12,6 +12,7 @@
 
 #include "core/film.h"
 #include "core/film_statistics.h"
+#include "core/reliability.h"
 #include "mlt/run/chain_settings.h"
 #include "mlt/run/deposit.h"
 #include "mlt/watch/functional_words.h"

@@ -75,10 +75,11 @@ SampleFilm film_seen(int seen) {
   return film;
 }
 
-// (Σ x)² / Σ x² is the number of equal contributions.
-TEST(Reliability, NeedsAHundredEffectiveSamples) {
-  EXPECT_EQ(film_seen(100).estimate(two_bins).reliable, (std::vector{true, true}));
-  EXPECT_EQ(film_seen(99).estimate(two_bins).reliable, (std::vector{true, false}));
+// The rules by which bins are judged have tests of their own (reliability_test.cpp).  The second bin has samples of 1; those of
+// the first weigh (1² + 3²)/(1 + 3), so that by both one weighs 1.75, and 75 of them are 131.25.
+TEST(Reliability, NeedsEffectiveSamples) {
+  EXPECT_EQ(film_seen(132).estimate(two_bins).reliable, (std::vector{true, true}));
+  EXPECT_EQ(film_seen(131).estimate(two_bins).reliable, (std::vector{true, false}));
   EXPECT_EQ(film_seen(0).estimate(two_bins).reliable, (std::vector{true, false}));
 }
 
@@ -92,6 +93,15 @@ TEST(Reliability, IsLostToLightOfTechniquesThatWereHardlySeen) {
     film.merge(rare);
     EXPECT_EQ(film.estimate(two_bins).reliable[0], light < std::sqrt(200)) << light;
   }
+}
+
+// Of a film of nine bins and more each nine; where there are fewer, they are one neighbourhood.
+TEST(Reliability, AsksForTwoAndAHalfSamplesOfATechniqueInEachBinOfANeighbourhood) {
+  EXPECT_EQ(fewest_samples_of_technique(std::array{1}), 22.5);
+  EXPECT_EQ(fewest_samples_of_technique(std::array{8}), 22.5);
+  EXPECT_EQ(fewest_samples_of_technique(std::array{100}), 250);
+  EXPECT_EQ(fewest_samples_of_technique(std::array{12, 16}), 480);
+  EXPECT_EQ(fewest_samples_of_technique(std::array{12, 16, 3}), 480) << "of pixels";
 }
 
 TEST(TechniqueTally, TellsRareTechniquesByTheirEffectiveSamples) {

@@ -96,6 +96,7 @@ TEST_F(Import, WithFaultsLeavesWhatIsThere) {
 TEST_F(Import, TellsItsUsage) {
   expect_one_fault(wander("import box.xml"), 2, {"needs -o SCENE.json"});
   expect_one_fault(wander("import box.xml -o -"), 2, {"name a file"});
+  expect_one_fault(wander("import box.xml -o tent.xml --force"), 2, {"no XML; name it tent.json"});
   expect_one_fault(wander("import box.xml -o s.json -D width"), 2, {"-D NAME=VALUE"});
   expect_one_fault(wander("import none.xml -o s.json"), 3, {"none.xml:1:1: ", "no such file"});
   expect_one_fault(wander("import box.xml -o s.json -D height=3"), 3, {"the scene has no $height"});

@@ -30,7 +30,7 @@ FilmEstimate known_as(const std::vector<double>& events, std::vector<int> shape)
 }
 
 std::vector<bool> told(FilmEstimate film, std::size_t groups = enough) {
-  tell_reliable(film, groups);
+  film.reliable = reliability_of_groups(film, groups);
   return film.reliable;
 }
 
@@ -175,7 +175,7 @@ Claims claims_where_rare_events_are(double per_pixel, int images) {
       film.standard_error.push_back(
           std::sqrt((squares - sum * sum / groups) * groups / (groups - 1)));
     }
-    tell_reliable(film, groups);
+    film.reliable = reliability_of_groups(film, groups);
     for (std::size_t j = 0; j < film.value.size(); ++j, ++claims.pixels) {
       const double v = film.value[j], e = film.standard_error[j];
       const double holds = std::abs(v - truth) <= t * e ? 1 : 0, own = v >= 10 * e ? 1 : 0;

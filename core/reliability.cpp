@@ -1,0 +1,79 @@
+#include "core/reliability.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+namespace wander {
+
+namespace {
+
+constexpr double fewest_own_events = fewest_effective_samples / 2;
+constexpr double fewest_events_around = 3 * fewest_effective_samples / 4;
+constexpr double most_own_to_around = 6;
+
+// A film as rows of places; those of one channel lie `channels` apart.
+struct Grid {
+  explicit Grid(std::span<const int> shape)
+      : rows(shape.size() > 1 ? shape[0] : 1),
+        columns(shape.size() > 1 ? shape[1] : shape[0]),
+        channels(shape.size() > 2 ? shape[2] : 1),
+        reach(shape.size() > 1 ? 1 : bins_to_each_side) {}
+
+  int rows, columns, channels, reach;
+};
+
+// What an event weighs by the bin's own claim; none where the bin is dark or that cannot be told.
+std::optional<double> own_weight(const FilmEstimate& film, std::size_t bin,
+                                 const EventWeight& weight) {
+  const double value = film.value[bin];
+  const double own = value > 0 ? weight(value, film.standard_error[bin]) : not_known;
+  return own >= 0 ? std::optional(own) : std::nullopt;
+}
+
+// The mean of them around a bin that has one.
+double weight_around(const FilmEstimate& film, const EventWeight& weight, const Grid& grid,
+                     std::size_t bin) {
+  const auto channels = static_cast<std::size_t>(grid.channels);
+  const auto columns = static_cast<std::size_t>(grid.columns), place = bin / channels;
+  const auto row = static_cast<int>(place / columns), column = static_cast<int>(place % columns);
+  double sum = 0;
+  int count = 0;
+  for (int r = std::max(0, row - grid.reach); r <= std::min(grid.rows - 1, row + grid.reach); ++r)
+    for (int c = std::max(0, column - grid.reach);
+         c <= std::min(grid.columns - 1, column + grid.reach); ++c) {
+      const auto there =
+          (static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c)) * channels +
+          bin % channels;
+      if (const auto w = own_weight(film, there, weight)) {
+        sum += *w;
+        ++count;
+      }
+    }
+  return sum / count;
+}
+
+}  // namespace
+
+std::vector<bool> reliability(const FilmEstimate& film, const EventWeight& weight) {
+  std::vector<bool> reliable(film.value.size());
+  const Grid grid(film.shape);
+  for (std::size_t bin = 0; bin < film.value.size(); ++bin) {
+    const auto own = own_weight(film, bin, weight);
+    if (!own) continue;
+    const double value = film.value[bin], around = weight_around(film, weight, grid, bin);
+    reliable[bin] = value >= fewest_own_events * *own && value >= fewest_events_around * around &&
+                    around <= most_own_to_around * *own;
+  }
+  return reliable;
+}
+
+// Σ x²/Σ x of n samples, from their mean v and its error σ: Σ x²/n = (n - 1) σ² + v².
+std::vector<bool> reliability_of_samples(const FilmEstimate& film, std::uint64_t samples) {
+  const auto n = static_cast<double>(samples);
+  return reliability(film, [n](double value, double error) {
+    return (n - 1) / n * (error / value * error) + value / n;
+  });
+}
+
+}  // namespace wander

@@ -1,0 +1,55 @@
+// Which bins of a film of independent samples are reliable.  The rule for what lies around a bin is recounted, bin by
+// bin, with films of chains (mlt/run/reliability_test.cpp); here, that it is asked with what a sample weighs.
+#include "core/reliability.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "core/film.h"
+#include "core/rng.h"
+
+namespace wander::test::core_reliability_test {
+namespace {
+
+// A bin of so many equal samples among `all` of them, of the value one: v = hits / n, σ² = v (1 - v) / (n - 1).
+FilmEstimate hit(const std::vector<double>& hits, double all) {
+  FilmEstimate film{.shape = {static_cast<int>(hits.size())}};
+  for (const double count : hits) {
+    const double v = count / all;
+    film.value.push_back(v);
+    film.standard_error.push_back(std::sqrt(v * (1 - v) / (all - 1)));
+  }
+  return film;
+}
+
+TEST(ReliableSamples, AreCountedWhereTheyReachedABin) {
+  constexpr std::uint64_t all = 100'000;
+  const auto told = [](const std::vector<double>& hits) {
+    return reliability_of_samples(hit(hits, all), all);
+  };
+  EXPECT_EQ(told(std::vector<double>(9, 75.01)), std::vector<bool>(9, true));
+  EXPECT_EQ(told(std::vector<double>(9, 74.99)), std::vector<bool>(9, false));
+}
+
+// Samples that all bring the same have no error; so few are no evidence for all that.
+TEST(ReliableSamples, AreNotMoreThanThereAre) {
+  for (const int n : {2, 74, 76}) {
+    FilmEstimate film{.shape = {1}, .value = {3}, .standard_error = {0}};
+    EXPECT_EQ(reliability_of_samples(film, static_cast<std::uint64_t>(n)),
+              std::vector<bool>(1, n > 75))
+        << n;
+  }
+}
+
+TEST(ReliableSamples, WithoutAnErrorThatCanBeToldAreNone) {
+  const FilmEstimate one{.shape = {1}, .value = {3}, .standard_error = {not_known}};
+  EXPECT_EQ(reliability_of_samples(one, 1), std::vector<bool>(1, false));
+  const FilmEstimate none{.shape = {1}, .value = {0}, .standard_error = {not_known}};
+  EXPECT_EQ(reliability_of_samples(none, 0), std::vector<bool>(1, false));
+}
+
+}  // namespace
+}  // namespace wander::test::core_reliability_test
