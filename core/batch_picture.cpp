@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/film.h"
+#include "core/film_layout.h"
 #include "core/reliability.h"
 
 namespace wander {

@@ -14,7 +14,6 @@ std::size_t make_room(FilmEstimate& film) {
   const std::size_t bins = values_of(film.shape);
   film.value.reserve(bins);
   film.standard_error.reserve(bins);
-  film.reliable.reserve(bins);
   return bins;
 }
 
@@ -174,15 +173,15 @@ FilmEstimate SampleFilm::estimate(std::span<const int> shape) const {
   return film;
 }
 
-double fewest_samples_of_technique(std::span<const int> shape) {
-  return fewest_technique_samples *
+double fewest_on_film(std::span<const int> shape) {
+  return fewest_in_neighbourhood *
          std::max(1.0, static_cast<double>(values_of(pixels_of(shape))) / bins_of_neighbourhood);
 }
 
 std::vector<bool> without_rare_light(const FilmEstimate& film, const TechniqueTally& techniques,
                                      std::uint64_t samples) {
   // What a bin would have of it, were it spread evenly.
-  const double rare = techniques.rare_light(fewest_samples_of_technique(film.shape)) /
+  const double rare = techniques.rare_light(fewest_on_film(film.shape)) /
                       static_cast<double>(std::max<std::uint64_t>(samples, 1));
   std::vector<bool> without;
   without.reserve(film.value.size());
@@ -208,7 +207,7 @@ FilmEstimate estimate_of_samples(std::span<const int> shape, std::uint64_t sampl
                                               : std::numeric_limits<double>::quiet_NaN());
   }
   const std::vector<bool> without = without_rare_light(film, techniques, samples);
-  film.reliable = reliability_of_samples(film, samples);
+  film.reliable = reliability(film, EventWeight::of_samples(samples));
   for (std::size_t i = 0; i < count; ++i) film.reliable[i] = film.reliable[i] && without[i];
   return film;
 }

@@ -20,14 +20,14 @@
 namespace wander {
 
 // What a bin has not seen is no part of its error bar, nor of those around it where they have not seen it either.
-// Techniques (n, s) of which a neighbourhood (core/reliability.h) sees less than this in the mean, in effective samples, so two
-// and a half of each of its bins, are rare: as many of them, those of the brightest paths first, as all together are.
-// They may not carry more than this many standard errors of a bin, or else the bin is not reliable.
-inline constexpr double fewest_technique_samples = 22.5;
+// Techniques (n, s) that are seen less than this often in a neighbourhood (core/reliability.h), in effective samples and in the
+// mean over a film, are rare: as many of them, those of the brightest paths first, as all together are.  They may not
+// carry more than this many standard errors of a bin, or else the bin is not reliable.
+inline constexpr double fewest_in_neighbourhood = 22.5;
 inline constexpr double most_rare_light = 0.5;
 
-// Techniques that have fewer effective samples on a whole film of this shape may be rare.
-double fewest_samples_of_technique(std::span<const int> shape);
+// Of a technique on a whole film of this shape, whose neighbourhoods these are: below, it may be rare.
+double fewest_on_film(std::span<const int> shape);
 
 // Room for so many bins as the shape of a film says, of which nothing is known yet; returns how many.
 std::size_t make_room(FilmEstimate& film);

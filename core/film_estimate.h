@@ -21,8 +21,8 @@ struct FilmEstimate {
   std::vector<int> shape{};              // {bins} in 2D, {height, width} in 3D
   std::vector<double> value{};           // per bin
   std::vector<double> standard_error{};  // per bin; NaN when it cannot be told
-  std::vector<bool> reliable{};          // per bin: enough effective samples and groups
-  double degrees_of_freedom = 0;         // of the t-intervals around every bin
+  std::vector<bool> reliable{};   // per bin: its interval holds what it promises (reliability.h)
+  double degrees_of_freedom = 0;  // of the t-intervals around every bin
   std::map<int, std::vector<double>>
       by_length{};  // number of vertices -> film of those paths alone
 };

@@ -11,6 +11,7 @@ namespace {
 constexpr double fewest_own_events = fewest_effective_samples / 2;
 constexpr double fewest_events_around = 3 * fewest_effective_samples / 4;
 constexpr double most_own_to_around = 6;
+constexpr double enough_around = 10 * fewest_effective_samples;
 
 // A film as rows of places; those of one channel lie `channels` apart.
 struct Grid {
@@ -63,17 +64,9 @@ std::vector<bool> reliability(const FilmEstimate& film, const EventWeight& weigh
     if (!own) continue;
     const double value = film.value[bin], around = weight_around(film, weight, grid, bin);
     reliable[bin] = value >= fewest_own_events * *own && value >= fewest_events_around * around &&
-                    around <= most_own_to_around * *own;
+                    (around <= most_own_to_around * *own || value >= enough_around * around);
   }
   return reliable;
-}
-
-// Σ x²/Σ x of n samples, from their mean v and its error σ: Σ x²/n = (n - 1) σ² + v².
-std::vector<bool> reliability_of_samples(const FilmEstimate& film, std::uint64_t samples) {
-  const auto n = static_cast<double>(samples);
-  return reliability(film, [n](double value, double error) {
-    return (n - 1) / n * (error / value * error) + value / n;
-  });
 }
 
 }  // namespace wander

@@ -31,20 +31,25 @@ Words words_of(MetByChance end) {
 
 }  // namespace
 
-DoubtedBins doubted_bins(const FilmEstimate& film, std::uint64_t samples) {
-  const std::vector<bool> seen = reliability_of_samples(film, samples);
+// By its own claim alone a bin was seen: where those around it say otherwise, that is for such light too.
+DoubtedBins doubted_bins(const FilmEstimate& film, const TechniqueTally& techniques,
+                         std::uint64_t samples) {
+  const EventWeight weight = EventWeight::of_samples(samples);
+  const std::vector<bool> without = without_rare_light(film, techniques, samples);
   DoubtedBins bins;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (!seen[i]) continue;
+  for (std::size_t i = 0; i < without.size(); ++i) {
+    const double value = film.value[i];
+    const double of_sample = weight(value, film.standard_error[i]);
+    if (!(value > 0 && value >= fewest_effective_samples * of_sample)) continue;
     ++bins.seen;
-    bins.doubtful += film.reliable[i] ? 0 : 1;
+    bins.doubtful += without[i] ? 0 : 1;
   }
   return bins;
 }
 
 std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate& film,
                             std::uint64_t samples) {
-  const DoubtedBins bins = doubted_bins(film, samples);
+  const DoubtedBins bins = doubted_bins(film, techniques, samples);
   if (2 * bins.doubtful <= bins.seen) return "";
   const SeldomSeen rare = seldom_seen(techniques, film, samples);
   return fmt::format(

@@ -26,11 +26,12 @@ MetByChance met_by_chance(const Scene<W>& scene, MetByChance of_method) {
   return of_method;
 }
 
-// Of bins that would be reliable, those that are not for light that techniques seldom find (without_rare_light()).
+// Of bins that samples enough have found, those that are not reliable for light that techniques seldom find (without_rare_light()).
 struct DoubtedBins {
   std::size_t seen = 0, doubtful = 0;
 };
-DoubtedBins doubted_bins(const FilmEstimate& film, std::uint64_t samples);
+DoubtedBins doubted_bins(const FilmEstimate& film, const TechniqueTally& techniques,
+                         std::uint64_t samples);
 
 // Why they are called unreliable.  Empty where most have no such doubt.
 std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate& film,

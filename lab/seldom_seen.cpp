@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/film_statistics.h"
-#include "core/tint.h"
 #include "lab/wording.h"
 
 namespace wander {
@@ -16,7 +15,7 @@ SeldomSeen seldom_seen(const TechniqueTally& techniques, const FilmEstimate& fil
   constexpr std::size_t most_named = 3;
   double light = 0;
   std::vector<std::string> names;
-  for (const RareTechnique& technique : techniques.rare(fewest_samples_of_technique(film.shape))) {
+  for (const RareTechnique& technique : techniques.rare(fewest_on_film(film.shape))) {
     light += technique.light;
     if (names.size() < most_named)
       names.push_back(fmt::format("({}, {})", technique.vertices, technique.technique));

@@ -45,8 +45,7 @@ void examine(const ImportOptions& options, const Global& global, Examination& ex
     if (is_standard_output(global.out))
       throw UsageError("-o - is standard output, and meshes lie beside a scene; name a file");
     // Files that the scene includes are not known yet, and --force would replace them.
-    if (const std::string ending = global.out.extension().string();
-        ending == ".xml" || ending == ".XML")
+    if (const fs::path ending = global.out.extension(); ending == ".xml" || ending == ".XML")
       throw UsageError(fmt::format("-o {}: a scene file is no XML; name it {}", global.out.string(),
                                    fs::path(global.out).replace_extension(".json").string()));
     require_replaceable(global.out, global);

@@ -8,7 +8,7 @@ namespace wander {
 std::vector<bool> reliability_of_groups(const FilmEstimate& film, std::size_t groups) {
   if (groups < static_cast<std::size_t>(GroupsFilm::fewest_groups))
     return std::vector<bool>(film.value.size());
-  return reliability(film, [](double value, double error) { return error / value * error; });
+  return reliability(film, EventWeight::of_groups());
 }
 
 }  // namespace wander

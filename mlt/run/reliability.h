@@ -1,5 +1,4 @@
-// Which bins of a film of chains are reliable (core/reliability.h).  The error that a bin claims comes from few groups; it is
-// known as n = v²/σ² independent events would tell it, each of the weight v/n = σ²/v.
+// Which bins of a film of chains are reliable (core/reliability.h): the error that a bin claims comes from few groups.
 #pragma once
 
 #include <cstddef>

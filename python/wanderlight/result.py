@@ -148,7 +148,7 @@ class Result:
 
     @property
     def reliable(self) -> xr.DataArray:
-        """True where enough effective samples reached a bin that its interval holds what it promises."""
+        """True where the interval of a bin holds what it promises."""
         return self._array(self._record.film.reliable, "reliable")
 
     @property

@@ -95,13 +95,13 @@ TEST(Reliability, IsLostToLightOfTechniquesThatWereHardlySeen) {
   }
 }
 
-// Of a film of nine bins and more each nine; where there are fewer, they are one neighbourhood.
-TEST(Reliability, AsksForTwoAndAHalfSamplesOfATechniqueInEachBinOfANeighbourhood) {
-  EXPECT_EQ(fewest_samples_of_technique(std::array{1}), 22.5);
-  EXPECT_EQ(fewest_samples_of_technique(std::array{8}), 22.5);
-  EXPECT_EQ(fewest_samples_of_technique(std::array{100}), 250);
-  EXPECT_EQ(fewest_samples_of_technique(std::array{12, 16}), 480);
-  EXPECT_EQ(fewest_samples_of_technique(std::array{12, 16, 3}), 480) << "of pixels";
+// In each nine bins of a film that has so many; where there are fewer, they are one neighbourhood.
+TEST(Reliability, AsksHowOftenATechniqueIsSeenInANeighbourhood) {
+  EXPECT_EQ(fewest_on_film(std::array{1}), 22.5);
+  EXPECT_EQ(fewest_on_film(std::array{8}), 22.5);
+  EXPECT_EQ(fewest_on_film(std::array{100}), 250);
+  EXPECT_EQ(fewest_on_film(std::array{12, 16}), 480);
+  EXPECT_EQ(fewest_on_film(std::array{12, 16, 3}), 480) << "of pixels";
 }
 
 TEST(TechniqueTally, TellsRareTechniquesByTheirEffectiveSamples) {

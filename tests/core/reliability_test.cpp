@@ -4,17 +4,14 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
-
-#include "core/film.h"
-#include "core/rng.h"
 
 namespace wander::test::core_reliability_test {
 namespace {
 
-// A bin of so many equal samples among `all` of them, of the value one: v = hits / n, σ² = v (1 - v) / (n - 1).
+// Bins of so many equal samples among `all` of them, of the value one: v = hits / n, σ² = v (1 - v) / (n - 1).
 FilmEstimate hit(const std::vector<double>& hits, double all) {
   FilmEstimate film{.shape = {static_cast<int>(hits.size())}};
   for (const double count : hits) {
@@ -25,30 +22,26 @@ FilmEstimate hit(const std::vector<double>& hits, double all) {
   return film;
 }
 
+std::vector<bool> told(const FilmEstimate& film, std::uint64_t samples) {
+  return reliability(film, EventWeight::of_samples(samples));
+}
+
 TEST(ReliableSamples, AreCountedWhereTheyReachedABin) {
-  constexpr std::uint64_t all = 100'000;
-  const auto told = [](const std::vector<double>& hits) {
-    return reliability_of_samples(hit(hits, all), all);
-  };
-  EXPECT_EQ(told(std::vector<double>(9, 75.01)), std::vector<bool>(9, true));
-  EXPECT_EQ(told(std::vector<double>(9, 74.99)), std::vector<bool>(9, false));
+  constexpr std::uint64_t all = 1000;
+  EXPECT_EQ(told(hit(std::vector<double>(9, 75.01), all), all), std::vector<bool>(9, true));
+  EXPECT_EQ(told(hit(std::vector<double>(9, 74.99), all), all), std::vector<bool>(9, false));
 }
 
 // Samples that all bring the same have no error; so few are no evidence for all that.
 TEST(ReliableSamples, AreNotMoreThanThereAre) {
-  for (const int n : {2, 74, 76}) {
-    FilmEstimate film{.shape = {1}, .value = {3}, .standard_error = {0}};
-    EXPECT_EQ(reliability_of_samples(film, static_cast<std::uint64_t>(n)),
-              std::vector<bool>(1, n > 75))
-        << n;
-  }
+  const FilmEstimate film{.shape = {1}, .value = {3}, .standard_error = {0}};
+  for (const std::uint64_t n : {2, 74, 76})
+    EXPECT_EQ(told(film, n), std::vector<bool>(1, n > 75)) << n;
 }
 
 TEST(ReliableSamples, WithoutAnErrorThatCanBeToldAreNone) {
-  const FilmEstimate one{.shape = {1}, .value = {3}, .standard_error = {not_known}};
-  EXPECT_EQ(reliability_of_samples(one, 1), std::vector<bool>(1, false));
-  const FilmEstimate none{.shape = {1}, .value = {0}, .standard_error = {not_known}};
-  EXPECT_EQ(reliability_of_samples(none, 0), std::vector<bool>(1, false));
+  const FilmEstimate film{.shape = {1}, .value = {3}, .standard_error = {not_known}};
+  EXPECT_EQ(told(film, 1000), std::vector<bool>(1, false));
 }
 
 }  // namespace

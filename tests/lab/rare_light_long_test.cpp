@@ -53,18 +53,26 @@ ClaimsOfRun claims(const FilmEstimate& film, const FilmEstimate& truth) {
   return claims;
 }
 
-// Another 60 runs, beside another film of pt, had 0.930 ± 0.007 by the rule and 0.874 ± 0.008 by their own error, and 0.056 ± 0.006
-// between them, run by run.  So the bounds lie 5.4 and 6.4 standard errors off: passed by chance once in ten million; nine times in ten
-// the first sees that 0.88 hold, and the second that 0.01 is gained.
-TEST(RareLight, LeavesClaimsThatHold) {
+struct Case {
+  const char* method;
+  std::uint64_t samples;
+};
+class RareLightClaims : public ::testing::TestWithParam<Case> {};
+
+// Other runs, beside another film of pt, had 0.930 ± 0.0074 by the rule, 0.75 of the pixels, and 0.056 ± 0.0056 less by their own error, run by
+// run (60 of mlt), and 0.935 ± 0.0079, 0.90 of them, and 0.031 ± 0.0048 (40 of bdpt).  With both their errors the bounds lie 4.7 and 5
+// standard errors off: passed by chance once in half a million.  Nine times in ten the first sees that 0.87 hold; a rule that is no
+// better than a pixel's own error gains nothing.
+TEST_P(RareLightClaims, Hold) {
   const description::Scene scene = parse_scene(sunny_room, "room").scene;
   const FilmEstimate truth = film_of(scene, "pt", 20'000'000, 4711);
   Moments of_rule, gained;
   double claimed = 0;
   for (int run = 0; run < runs; ++run) {
     const auto seed = 1000 + static_cast<std::uint64_t>(run);
-    const ClaimsOfRun of_run = claims(film_of(scene, "mlt", 250'000, seed), truth);
-    if (of_run.of_rule.all == 0) continue;
+    const ClaimsOfRun of_run =
+        claims(film_of(scene, GetParam().method, GetParam().samples, seed), truth);
+    if (of_run.of_rule.all == 0 || of_run.of_own.all == 0) continue;
     claimed += of_run.of_rule.all / static_cast<double>(truth.value.size()) / runs;
     of_rule.add(of_run.of_rule.share());
     gained.add(of_run.of_rule.share() - of_run.of_own.share());
@@ -72,9 +80,11 @@ TEST(RareLight, LeavesClaimsThatHold) {
   std::cout << of_rule.mean() << " ± " << of_rule.standard_error() << " of " << claimed
             << " hold, gained " << gained.mean() << " ± " << gained.standard_error() << "\n";
   EXPECT_GT(claimed, 0.5);
-  EXPECT_GT(of_rule.mean(), 0.89);
-  EXPECT_GT(gained.mean(), 0.02);
+  EXPECT_GT(of_rule.mean(), 0.88);
+  EXPECT_GT(gained.mean(), 0);
 }
+INSTANTIATE_TEST_SUITE_P(SunnyRoom, RareLightClaims,
+                         ::testing::Values(Case{"mlt", 250'000}, Case{"bdpt", 2'000'000}));
 
 }  // namespace
 }  // namespace rare_light_long_test

@@ -47,9 +47,23 @@ TEST(RareTechniques, AreNotBlamedForBinsOfFewSamples) {
   film.add({{4, 2, 0, 40}});
   const FilmEstimate estimate = film.estimate(std::array{8});
   EXPECT_EQ(reliable_bins(estimate), 0u);
-  const DoubtedBins bins = doubted_bins(estimate, film.samples());
+  const DoubtedBins bins = doubted_bins(estimate, film.techniques(), film.samples());
   EXPECT_EQ(bins.seen, 0u);
   EXPECT_EQ(rare_techniques(film.techniques(), estimate, film.samples()), "");
+}
+
+// Where the bins around a bin take its trust, that too is for light that was seldom found: of nine bins the last has met such light
+// twice, so that by its events none is reliable, and the others, well seen each for itself, would say nothing.
+TEST(RareTechniques, AreToldWhereTheBinsAroundTakeTheTrustFirst) {
+  SampleFilm film(9, 5);
+  for (int i = 0; i < 1800; ++i) film.add({{2, 1, i % 9, i % 18 < 9 ? 1.0 : 3.0}});
+  for (int i = 0; i < 2; ++i) film.add({{4, 2, 8, 100}});
+  const FilmEstimate estimate = film.estimate(std::array{9});
+  EXPECT_EQ(reliable_bins(estimate), 0u);
+  const DoubtedBins bins = doubted_bins(estimate, film.techniques(), film.samples());
+  EXPECT_EQ(bins.seen, 8u);
+  EXPECT_EQ(bins.doubtful, 8u);
+  EXPECT_NE(rare_techniques(film.techniques(), estimate, film.samples()), "");
 }
 
 // What was met: so often a lamp by s = 0, and a sensor by t = 0, of so many vertices.
