@@ -10,8 +10,8 @@ namespace {
 
 constexpr double fewest_own_events = fewest_effective_samples / 2;
 constexpr double fewest_events_around = 3 * fewest_effective_samples / 4;
-constexpr double most_own_to_around = 6;
-constexpr double enough_around = 10 * fewest_effective_samples;
+constexpr double most_own_to_around = 3;
+constexpr double enough_around = 20 * fewest_effective_samples;
 
 // A film as rows of places; those of one channel lie `channels` apart.
 struct Grid {

@@ -9,7 +9,7 @@
 // around it claims least.  So the lit bins around it, itself among them, say what an event weighs there: w̄, the
 // mean of their w, which is not small by chance as one of them may be.  By it the bin is known as v/w̄
 // events; of these it is asked three quarters of a hundred, and by its own claim a half, and that this is
-// no more than six times as much, unless they say a thousand: beside a lamp a wall may be known better than the lamp.
+// no more than three times as much, unless they say two thousand: beside a lamp a wall may be known better than the lamp.
 #pragma once
 
 #include <cstdint>

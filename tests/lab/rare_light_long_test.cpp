@@ -59,10 +59,10 @@ struct Case {
 };
 class RareLightClaims : public ::testing::TestWithParam<Case> {};
 
-// Other runs, beside a film of pt of 300 million samples, had 0.912 ± 0.008 by the rule and 0.060 ± 0.006 less by a pixel's own error, run by run
-// (60 of mlt), and 0.919 ± 0.010 and 0.028 ± 0.005 (30 of bdpt).  It is not 0.95: a pixel meets few of the brightest events, here and around.  With
-// the errors of both the bounds lie five standard errors off: passed by chance once in a million.  Nine times in ten the first sees
-// that 0.84 hold; a rule that is no better than a pixel's own error gains nothing.
+// Other runs, beside a film of pt of 300 million samples: of 60 of mlt 0.945 of the claims held, of 30 of bdpt 0.944; these here have
+// 0.941 ± 0.009 and 0.942 ± 0.007, run by run, and 0.099 ± 0.007 and 0.053 ± 0.005 less hold by a pixel's own error.  So the bounds lie five
+// standard errors off and more: passed by chance once in a million.  Nine times in ten the first sees that 0.88 hold; a rule that
+// is no better than a pixel's own error gains nothing.
 TEST_P(RareLightClaims, Hold) {
   const description::Scene scene = parse_scene(sunny_room, "room").scene;
   const FilmEstimate truth = film_of(scene, "pt", 60'000'000, 4711);
@@ -79,8 +79,8 @@ TEST_P(RareLightClaims, Hold) {
   }
   std::cout << of_rule.mean() << " ± " << of_rule.standard_error() << " of " << claimed
             << " hold, gained " << gained.mean() << " ± " << gained.standard_error() << "\n";
-  EXPECT_GT(claimed, 0.5);
-  EXPECT_GT(of_rule.mean(), 0.85);
+  EXPECT_GT(claimed, 0.4);
+  EXPECT_GT(of_rule.mean(), 0.89);
   EXPECT_GT(gained.mean(), 0);
 }
 INSTANTIATE_TEST_SUITE_P(SunnyRoom, RareLightClaims,

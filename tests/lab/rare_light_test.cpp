@@ -12,9 +12,10 @@ namespace rare_light_test {
 namespace {
 
 Rendering rendering_of(const description::Scene& scene, std::string_view method,
-                       std::uint64_t samples) {
+                       std::uint64_t samples, std::uint64_t seed = 1) {
   Session session;
   session.threads = 2;
+  session.seed = seed;
   session.budget = SampleBudget{samples};
   return render({scene, find_method(method)}, session);
 }
@@ -27,12 +28,19 @@ bool tells_of_techniques(const Rendering& rendering) {
   });
 }
 
-// What the claims hold is in rare_light_long_test.cpp.
+// What the claims hold is in rare_light_long_test.cpp.  Of films of chains half of the reliable bins must be doubtful, which they were in 6 to
+// 8 of 8 runs of each method with other seeds: where it is so in three of four, fewer than three of twelve are by chance in
+// four of a hundred thousand.
 TEST(RareLight, IsToldOfPooledFilmsToo) {
   const description::Scene scene = parse_scene(sunny_room, "room").scene;
   EXPECT_LE(reliable_bins(rendering_of(scene, "bdpt", 50'000)), 2);
-  for (const char* method : {"bdpt", "mlt", "pssmlt", "mmlt"})
-    EXPECT_TRUE(tells_of_techniques(rendering_of(scene, method, 250'000))) << method;
+  EXPECT_TRUE(tells_of_techniques(rendering_of(scene, "bdpt", 250'000)));
+  for (const char* method : {"mlt", "pssmlt", "mmlt"}) {
+    int told = 0;
+    for (std::uint64_t seed = 101; seed <= 112; ++seed)
+      told += tells_of_techniques(rendering_of(scene, method, 60'000, seed)) ? 1 : 0;
+    EXPECT_GE(told, 3) << method;
+  }
 }
 
 // Where all techniques are often seen, nothing is said of them.
