@@ -10,7 +10,6 @@
 #include <numeric>
 #include <span>
 
-#include "core/film.h"
 #include "core/film_statistics.h"
 #include "core/reliability.h"
 #include "mlt/run/chain_settings.h"

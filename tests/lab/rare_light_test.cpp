@@ -30,7 +30,7 @@ bool tells_of_techniques(const Rendering& rendering) {
 
 // What the claims hold is in rare_light_long_test.cpp.  Of films of chains half of the reliable bins must be doubtful, which they were in 6 to
 // 8 of 8 runs of each method with other seeds: where it is so in three of four, fewer than three of twelve are by chance in
-// four of a hundred thousand.
+// four of a hundred thousand.  Nine times in ten that is seen which tells one run of ten.
 TEST(RareLight, IsToldOfPooledFilmsToo) {
   const description::Scene scene = parse_scene(sunny_room, "room").scene;
   EXPECT_LE(reliable_bins(rendering_of(scene, "bdpt", 50'000)), 2);
