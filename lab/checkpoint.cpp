@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/11";
+constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/12";
 
 class Refusal {
  public:
@@ -67,31 +67,27 @@ ordered_json to_json(const std::vector<Look>& looks) {
 
 ordered_json header_of(const Checkpoint& c) {
   const Headway& h = c.run.headway;
-  return {
-      {"version", program_version()},
-      {"scene", {{"source", c.scene_source}, {"sha256", c.scene_sha256}, {"text", c.scene_text}}},
-      {"method", c.method},
-      {"budget", c.budget},
-      {"dials", c.dials},
-      {"seed", c.seed},
-      {"precision", name_of(c.turned().precision)},
-      {"samples", h.samples},
-      {"seconds", h.wall_seconds},
-      {"processor_seconds", h.processor_seconds},
-      {"seed_seconds", h.seed_seconds},
-      {"looks",
-       {{"target", h.target},
-        {"seed_goal", h.seed_goal},
-        {"goal", h.goal},
-        {"seen", to_json(h.looks)}}}};
+  return {{"version", program_version()},
+          {"scene", to_json(c.scene)},
+          {"method", c.method},
+          {"budget", c.budget},
+          {"dials", c.dials},
+          {"seed", c.seed},
+          {"precision", name_of(c.turned().precision)},
+          {"samples", h.samples},
+          {"seconds", h.wall_seconds},
+          {"processor_seconds", h.processor_seconds},
+          {"seed_seconds", h.seed_seconds},
+          {"looks",
+           {{"target", h.target},
+            {"seed_goal", h.seed_goal},
+            {"goal", h.goal},
+            {"seen", to_json(h.looks)}}}};
 }
 
 Checkpoint from_header(const JsonPlace& header) {
   Checkpoint c;
-  const JsonPlace scene = header.at("scene");
-  c.scene_source = scene.at("source");
-  c.scene_sha256 = scene.at("sha256");
-  c.scene_text = scene.at("text");
+  c.scene = kept_scene_from(header.at("scene"));
   c.method = header.at("method");
   c.budget = header.at("budget");
   c.dials = header.at("dials").get<std::map<std::string, std::string>>();

@@ -13,11 +13,12 @@
 
 #include "lab/dials.h"
 #include "lab/drive.h"
+#include "lab/kept_scene.h"
 
 namespace wander {
 
 struct Checkpoint {
-  std::string scene_source, scene_text, scene_sha256;  // source: as it was named
+  KeptScene scene;
   std::string method, budget;
   std::map<std::string, std::string> dials;  // those that were turned: word, value
   std::uint64_t seed = 1;

@@ -64,7 +64,7 @@ class Drive {
       run_.start(has_all_seeds_ ? run_.settings().chains_for(expected_steps()) : 1);
     }
     Rendering r = sampled();
-    if (has_all_seeds_) keep();
+    if (has_all_seeds_ && (r.complete || is_enough_to_keep())) write();
     return r;
   }
 
@@ -277,7 +277,11 @@ class Drive {
     next_keeping_ = execution_.seconds() + keeper_.every;
     time_of_keeping_ = execution_.seconds() - before;
   }
+  bool is_enough_to_keep() const { return run_.samples() >= keeper_.least; }
   void keep() {
+    if (is_enough_to_keep()) write();
+  }
+  void write() {
     if (!keeper_.keep) return;
     headway_.wall_seconds = execution_.seconds();
     headway_.processor_seconds = execution_.processor_seconds();

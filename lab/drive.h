@@ -39,6 +39,7 @@ using StateWriter = std::function<void(std::ostream&)>;
 struct Keeper {
   std::function<void(const Headway&, const StateWriter&)> keep{};  // may be empty
   double first = 0, every = 0;                                     // 0: only at the end
+  std::uint64_t least = 0;  // samples: a run of fewer is kept only once it has come to its end
 };
 
 // A small budget makes fewer chains, so that it can be met exactly.

@@ -6,12 +6,21 @@
 
 namespace wander {
 
-bool is_of_few_steps(const Budget& budget, const Job& job) {
-  const auto* count = std::get_if<SampleBudget>(&budget);
+bool is_of_few_steps(const Budget& planned, const Job& job) {
+  const auto* count = std::get_if<SampleBudget>(&planned);
   const ChainSettings& chains = job.dials().chains;
   return count && job.method().is_markov_chain() && chains.film_parts == FilmParts::pooled &&
          static_cast<double>(chains.fewest_seeds) >
              fewest_samples_per_step * static_cast<double>(count->samples);
+}
+
+bool asks_for_more(const Budget& budget, const Headway& done,
+                   const std::function<double()>& error) {
+  if (const auto* count = std::get_if<SampleBudget>(&budget)) return count->samples > done.samples;
+  if (const auto* time = std::get_if<TimeBudget>(&budget))
+    return time->seconds >
+           (time->kind == TimeKind::wall ? done.wall_seconds : done.processor_seconds);
+  return !(error() <= std::get<ErrorBudget>(budget).relative);
 }
 
 }  // namespace wander

@@ -40,6 +40,7 @@ class HeldRun {
   // Throws NoLightFound where chains find nothing to start from, and NothingComputed.
   Rendering go_on(const Session& session, const Keeper& keeper = {});
   KeptRun kept() const { return run_->kept(); }
+  const Headway& headway() const { return run_->headway(); }
   const Job& job() const { return *job_; }
 
  private:

@@ -7,7 +7,6 @@
 
 #include "lab/engine.h"
 #include "lab/failure.h"
-#include "lab/scene_source.h"
 #include "records/run_json.h"
 
 namespace wander {
@@ -20,11 +19,6 @@ constexpr std::string_view remedy =
     "compute that run anew (`wander render` keeps a checkpoint unless told --checkpoint 0), or "
     "leave "
     "it out";
-
-std::string shown(const Checkpoint& run) {
-  return fmt::format("{} (sha256 {})", shown_name(run.scene_source),
-                     run.scene_sha256.substr(0, 12));
-}
 
 // The text of a dial, and what it means: 0.25 is 0.250.
 struct Turned {
@@ -44,7 +38,7 @@ std::vector<std::string> differences(const Checkpoint& run, const Checkpoint& fi
   const auto differ = [&](std::string_view what, std::string_view has, std::string_view other) {
     found.push_back(fmt::format("its {} is {}, not {}", what, has, other));
   };
-  if (run.scene_sha256 != first.scene_sha256) differ("scene", shown(run), shown(first));
+  if (const auto other = difference(run.scene, first.scene)) found.push_back("its " + *other);
   if (run.method != first.method) differ("method", run.method, first.method);
   for (const Dial& dial : dials()) {
     const Turned its = turned(dial, run), other = turned(dial, first);

@@ -148,6 +148,15 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+std::optional<std::uint64_t> sample_count_in(std::string_view text) {
+  const auto samples = quantity_in(text, sample_units);
+  // Beyond 2^53 a count is no longer exact; 1.1k is 1100 even where its product is not.
+  const double count = std::round(samples.value_or(0));
+  if (samples && count >= 1 && count <= 0x1p53 && std::abs(*samples - count) <= 1e-12 * count)
+    return static_cast<std::uint64_t>(count);
+  return std::nullopt;
+}
+
 Budget parse_budget(std::string_view text) {
   constexpr std::string_view error = "error<";
   if (text.starts_with(error)) {
@@ -158,13 +167,10 @@ Budget parse_budget(std::string_view text) {
                     text));
   }
   if (const auto time = time_in(text)) return *time;
-  const auto samples = quantity_in(text, sample_units);
-  // Beyond 2^53 a count is no longer exact; 1.1k is 1100 even where its product is not.
-  const double count = std::round(samples.value_or(0));
-  if (samples && count >= 1 && count <= 0x1p53 && std::abs(*samples - count) <= 1e-12 * count)
-    return SampleBudget{static_cast<std::uint64_t>(count)};
+  if (const auto count = sample_count_in(text)) return SampleBudget{*count};
   throw UsageError(
-      fmt::format("budget '{}': allowed are samples (2000000, 300k, 5M), wall time (1500ms, 30s, "
+      fmt::format("budget '{}': allowed are whole numbers of samples (2000000, 300k, 5M), wall "
+                  "time (1500ms, 30s, "
                   "5min, 2h), processor time (30cpu-s) and a relative error of the film "
                   "(error<0.01, error<1%)",
                   text));

@@ -18,6 +18,8 @@ namespace wander {
 // The parts between the separators; an empty text is one empty part.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+// `2000000`, `300k`, `5M`, `2G`: a whole number of one or more, or none.
+std::optional<std::uint64_t> sample_count_in(std::string_view text);
 // `2000000`, `300k`, `5M`, `2G` samples; `1500ms`, `30s`, `5min`, `2h` of wall time, `30cpu-s` of
 // processor time; `error<0.01`, `error<1%` of the film.
 Budget parse_budget(std::string_view text);

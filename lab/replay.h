@@ -81,7 +81,7 @@ Replay replay(const Space& space, const Kernel& kernel, const Session& session, 
   for (std::uint64_t i = 0; i < step_index; ++i) {
     chain.step([](const Step<W>&) {});
     if (i % 1024 != 0) continue;
-    if (run.is_interrupted()) throw NothingComputed();
+    if (run.is_interrupted()) throw NothingComputed("the step that is to be shown");
     run.report(
         {static_cast<double>(i) / static_cast<double>(step_index), i, run.seconds(), "sampling"});
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <span>
@@ -12,6 +13,7 @@
 #include "lab/nearest.h"
 #include "records/version.h"
 #include "scenes/format/mesh_file.h"
+#include "scenes/format/sha256.h"
 
 namespace wander {
 
@@ -50,9 +52,15 @@ Triangles gallery_mesh(const std::string& file, MeshWants wanted) {
   throw MeshFileError("the gallery has no such mesh; save the scene beside its own");
 }
 
+std::string digest_of_gallery_mesh(const std::string& file) {
+  const std::span meshes(gallery_meshes, gallery_mesh_count);
+  return sha256(std::ranges::find(meshes, file, &GalleryMesh::file)->text);
+}
+
 SceneFiles files_of(const std::string& source) {
   if (source == standard_input) return {};
-  if (source.starts_with(gallery_prefix)) return {.mesh = gallery_mesh};
+  if (source.starts_with(gallery_prefix))
+    return {.mesh = gallery_mesh, .digest = digest_of_gallery_mesh};
   const std::filesystem::path folder = std::filesystem::path(source).parent_path();
   return files_in(folder.empty() ? "." : folder);
 }
@@ -81,7 +89,7 @@ SceneDocument reopen_scene(const std::string& text, const std::string& source) {
 Provenance provenance_of(const SceneDocument& document, const std::string& command_line) {
   return {.scene_name = document.scene.name,
           .scene_text = document.text,
-          .scene_sha256 = document.sha256,
+          .scene_digest = document.digest,
           .dimension = document.scene.dimension,
           .command_line = command_line,
           .version = program_version(),

@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cstdint>
 
+#include "records/scene_record.h"
+
 namespace wander {
 
 namespace {
@@ -40,11 +42,13 @@ std::uint64_t count_in(const FilmFacts& facts, const char* name) {
 Provenance provenance_of(const FilmFacts& facts) {
   Provenance provenance{text_in(facts, "scene_name"),
                         text_in(facts, "scene"),
-                        text_in(facts, "scene_sha256"),
+                        {text_in(facts, "scene_sha256"), {}},
                         fact_in<int>(facts, "dimension"),
                         text_in(facts, "command_line"),
                         text_in(facts, "wanderlight_version"),
                         {}};
+  if (facts.contains("scene_files"))
+    read_scene_files(text_in(facts, "scene_files"), provenance.scene_digest);
   for (const OriginField& field : origin_fields)
     if (facts.contains(field.name)) provenance.origin.*field.member = text_in(facts, field.name);
   return provenance;
@@ -57,7 +61,7 @@ FilmFacts facts_of(const RunRecord& run) {
   const Provenance& provenance = run.provenance;
   FilmFacts facts{{"scene", provenance.scene_text},
                   {"scene_name", provenance.scene_name},
-                  {"scene_sha256", provenance.scene_sha256},
+                  {"scene_sha256", provenance.scene_digest.text},
                   {"command_line", provenance.command_line},
                   {"wanderlight_version", provenance.version},
                   {"method", rendering.method},
@@ -68,6 +72,8 @@ FilmFacts facts_of(const RunRecord& run) {
                   {"degrees_of_freedom", rendering.film.degrees_of_freedom}};
   for (const OriginField& field : origin_fields)
     facts[field.name] = provenance.origin.*field.member;
+  if (!provenance.scene_digest.files.empty())
+    facts["scene_files"] = scene_files_text(provenance.scene_digest);
   if (!rendering.merged.empty()) facts["merged_seeds"] = seeds_of(rendering.merged);
   if (const auto& b = rendering.normalization) {
     facts["normalization"] = b->value;

@@ -1,8 +1,8 @@
 // What made a film, and what is known of it as a whole, by name: the attributes of the files that
 // hold films.
 //
-//   scene, scene_name, scene_sha256, command_line, wanderlight_version, the origin (origin.h),
-//   method, seed, merged_seeds, samples, complete    texts
+//   scene, scene_name, scene_sha256, scene_files (scene_record.h), command_line, wanderlight_version,
+//   the origin (origin.h), method, seed, merged_seeds, samples, complete    texts
 //   dimension                                        a whole number
 //   degrees_of_freedom, and for Markov chain methods
 //   normalization, normalization_standard_error      numbers

@@ -14,6 +14,7 @@
 #include "records/json_place.h"
 #include "records/json_text.h"
 #include "records/pending_names.h"
+#include "records/scene_record.h"
 #include "records/temporary_file.h"
 
 namespace wander {
@@ -214,10 +215,7 @@ ordered_json to_json(const RunRecord& run, ordered_json film) {
   const Provenance& provenance = run.provenance;
   ordered_json json{{"schema", run_schema},
                     {"complete", rendering.complete},
-                    {"scene",
-                     {{"name", provenance.scene_name},
-                      {"sha256", provenance.scene_sha256},
-                      {"text", provenance.scene_text}}},
+                    {"scene", scene_json(provenance)},
                     {"dimension", provenance.dimension},
                     {"method", rendering.method},
                     {"samples", rendering.samples},

@@ -5,6 +5,7 @@
 #include "records/film_columns.h"
 #include "records/json_place.h"
 #include "records/run_json.h"
+#include "records/scene_record.h"
 
 namespace wander {
 
@@ -189,14 +190,12 @@ RunRecord run_from_json(const JsonPlace& document, const std::string& place) {
   try {
     if (document.at("schema").get<std::string>() != run_schema)
       document.at("schema").refuse("its schema is another");
-    const JsonPlace scene = document.at("scene");
-    const Provenance provenance{scene.at("name"),
-                                scene.at("text"),
-                                scene.at("sha256"),
-                                document.at("dimension"),
-                                document.at("command_line"),
-                                document.at("version"),
-                                origin_from_json(document)};
+    Provenance provenance;
+    read_scene(document.at("scene"), provenance);
+    provenance.dimension = document.at("dimension");
+    provenance.command_line = document.at("command_line").get<std::string>();
+    provenance.version = document.at("version").get<std::string>();
+    provenance.origin = origin_from_json(document);
     return {rendering_from(document), provenance};
   } catch (const std::runtime_error& problem) {
     throw RunFileError(

@@ -7,11 +7,13 @@
 
 #include "records/origin.h"
 #include "records/rendering.h"
+#include "scenes/format/scene_digest.h"
 
 namespace wander {
 
 struct Provenance {
-  std::string scene_name, scene_text, scene_sha256;
+  std::string scene_name, scene_text;
+  SceneDigest scene_digest{};
   int dimension = 2;
   std::string command_line;  // quoted for a shell
   std::string version;       // of the program

@@ -5,6 +5,7 @@
 #include "records/netcdf.h"
 #include "records/scene_curves.h"
 #include "records/scene_faces.h"
+#include "records/scene_record.h"
 #include "records/seal.h"
 #include "records/trajectory_layout.h"
 
@@ -195,7 +196,9 @@ void write_root(const Writer& file, const TrajectoryRecord& record) {
   file.attribute("complete", std::int64_t{record.complete ? 1 : 0});
   file.attribute("scene", record.provenance.scene_text);
   file.attribute("scene_name", record.provenance.scene_name);
-  file.attribute("scene_sha256", record.provenance.scene_sha256);
+  file.attribute("scene_sha256", record.provenance.scene_digest.text);
+  if (!record.provenance.scene_digest.files.empty())
+    file.attribute("scene_files", scene_files_text(record.provenance.scene_digest));
   file.attribute("command_line", record.provenance.command_line);
   file.attribute("version", record.provenance.version);
   for (const OriginField& field : origin_fields)

@@ -5,6 +5,7 @@
 
 #include "records/film_netcdf.h"
 #include "records/netcdf.h"
+#include "records/scene_record.h"
 #include "records/seal.h"
 #include "records/trajectory_layout.h"
 #include "records/trajectory_netcdf.h"
@@ -118,10 +119,15 @@ TrajectoryRecord record_from(const Group& root) {
   record.seed = root.count("seed");
   record.normalization = {root.number("normalization"),
                           root.number("normalization_standard_error")};
-  record.provenance = {root.text("scene_name"),   root.text("scene"),
-                       root.text("scene_sha256"), record.trajectory.dimension,
-                       root.text("command_line"), root.text("version"),
+  record.provenance = {root.text("scene_name"),
+                       root.text("scene"),
+                       {root.text("scene_sha256"), {}},
+                       record.trajectory.dimension,
+                       root.text("command_line"),
+                       root.text("version"),
                        origin_from(root)};
+  if (root.has("scene_files"))
+    read_scene_files(root.text("scene_files"), record.provenance.scene_digest);
   return record;
 }
 

@@ -39,10 +39,10 @@ struct CheckOptions {
 };
 
 std::uint64_t parse_samples(std::string_view text) {
-  const Budget budget = parse_budget(text);
-  if (const auto* count = std::get_if<SampleBudget>(&budget)) return count->samples;
-  throw UsageError(
-      fmt::format("--samples '{}': allowed is a number of samples (200000, 200k, 2M)", text));
+  if (const auto count = sample_count_in(text)) return *count;
+  throw UsageError(fmt::format(
+      "--samples '{}': allowed is a whole number of samples, one or more (200000, 200k, 2M)",
+      text));
 }
 
 std::vector<std::string> names_of_symmetries() {
@@ -75,7 +75,7 @@ Session session_of(const CheckOptions& options, const Global& global, Progress& 
 ExitCode check_extremes(const SceneDocument& document, const CheckOptions& options,
                         const Global& global) {
   ExtremesReport report{.scene_name = document.scene.name,
-                        .scene_sha256 = document.sha256,
+                        .scene_sha256 = document.digest.text,
                         .samples = options.samples,
                         .seed = global.seed};
   {
@@ -134,7 +134,8 @@ void add_check(CLI::App& app, Global& global) {
       "\nEach mutation, and their mixture, starts from weighted independent paths and makes 1 and "
       "20\nsteps; films are compared bin by bin, those of images with 16 pixels along the longer "
       "side.\nExit code 4 when a test fails, and when none could be made, 1 when no light path is "
-      "found;\nwhat could not be tested is listed with the reason.  \"2 % would show\": an error of 2 %,"
+      "found;\nwhat could not be tested is listed with the reason.  \"2 % would show\": an error "
+      "of 2 %,"
       "\nof what is compared, would be seen with a probability of 99 % by half of the comparisons "
       "of the\nsharpest test.\n\n"
       "Example:\n  wander check scene.json --samples 1M");

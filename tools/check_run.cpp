@@ -40,7 +40,7 @@ CheckReport check(const SceneDocument& document, const Job& job, std::uint64_t s
   const std::size_t kernels = mutations.size() + mixtures, methods = checked_methods().size();
   const double false_alarm = false_alarm_of_all / static_cast<double>(3 * kernels + methods);
   CheckReport report{.scene_name = document.scene.name,
-                     .scene_sha256 = document.sha256,
+                     .scene_sha256 = document.digest.text,
                      .samples = samples,
                      .method_samples = samples * samples_per_film,
                      .seed = session.seed,

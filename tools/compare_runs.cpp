@@ -145,7 +145,7 @@ Runs runs_of(CompareTask& task, const CompareOptions& options, const CompareHost
     give_up();
     throw;
   }
-  const std::vector<std::string> doubts = scene_warnings(task.document, task.request.scene_source);
+  const std::vector<std::string> doubts = scene_warnings(task.document, task.request.scene.source);
   runs.warnings.insert(runs.warnings.begin(), doubts.begin(), doubts.end());
   collect_warnings(runs);
   warn_of_load(task.plan, runs);

@@ -32,7 +32,7 @@ std::vector<Entrant> entrants_of(const Request& request, std::optional<int> max_
 }
 
 Plan plan_of(const Request& request, const Global& global) {
-  Plan plan{.source = request.scene_source,
+  Plan plan{.source = request.scene.source,
             .entrants = entrants_of(request, std::nullopt),
             .budgets = parse_budgets(request.budgets),
             .replicates = request.replicates,
@@ -77,7 +77,7 @@ std::optional<CompareTask> examine_new(const CompareOptions& options, const Glob
         global.out, global, "add --force to replace it, or --continue to carry the comparison on");
     if (options.reference) require_reference_apart(global.out, *options.reference);
   });
-  Request request{.scene_source = options.scene,
+  Request request{.scene = {.source = options.scene},
                   .methods = options.methods.value_or(usual_methods),
                   .budgets = options.budgets.value_or(usual_budgets),
                   .reference = options.reference.value_or(usual_reference),
@@ -97,8 +97,7 @@ std::optional<CompareTask> examine_new(const CompareOptions& options, const Glob
   examination.part(
       [&] { document = options.document ? options.document : open_scene(options.scene); });
   if (!plan || !document) return {};
-  request.scene_text = document->text;
-  request.scene_sha256 = document->sha256;
+  request.scene = kept_scene(*document, options.scene);
   CompareTask task{
       std::move(request), {}, with_paths_of(*plan, *std::move(document)), *std::move(plan)};
   examine_jobs(task.request, task, examination);
@@ -114,15 +113,12 @@ std::vector<std::string> differences(const CompareOptions& options, const Reques
   const auto differ = [&](std::string_view what, std::string_view has, std::string_view asked) {
     found.push_back(fmt::format("{} {}, not {}", what, has, asked));
   };
-  const auto shown = [](const std::string& source, const std::string& digest) {
-    return fmt::format("{} (sha256 {})", shown_name(source), digest.substr(0, 12));
-  };
   const auto dials = [](const std::vector<std::string>& texts) {
     return texts.empty() ? std::string("none") : fmt::format("{}", fmt::join(texts, " "));
   };
-  if (scene && scene->sha256 != kept.scene_sha256)
-    differ("its scene is", shown(kept.scene_source, kept.scene_sha256),
-           shown(options.scene, scene->sha256));
+  if (scene)
+    if (const auto other = difference(kept.scene, kept_scene(*scene, options.scene)))
+      found.push_back("its " + *other);
   if (options.methods && parse_methods(*options.methods) != parse_methods(kept.methods))
     differ("its methods are", kept.methods, *options.methods);
   if (options.budgets &&
@@ -159,7 +155,7 @@ CompareTask continued(const CompareOptions& options, const Global& global,
   request.replicates = replicates;
   request.target = options.target.value_or(request.target);
   Plan plan = plan_of(request, global);
-  if (!scene) scene = reopen_scene(request.scene_text, request.scene_source);
+  if (!scene) scene = reopened(request.scene);
   CompareTask task{std::move(request), std::move(kept), with_paths_of(plan, *std::move(scene)),
                    std::move(plan)};
   examine_jobs(task.request, task, examination);

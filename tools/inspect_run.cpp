@@ -108,7 +108,7 @@ std::string text_of_run(const RunRecord& run) {
   std::string text = summary_of(run.rendering) + channel_lines(run.rendering.film);
   text += fmt::format("  scene           {}\n",
                       provenance.scene_name.empty() ? "without a name" : provenance.scene_name);
-  text += fmt::format("  scene sha256    {}\n", provenance.scene_sha256);
+  text += fmt::format("  scene sha256    {}\n", provenance.scene_digest.text);
   text += made_by_lines(provenance);
   if (!origin_of(run.rendering).empty()) return text;  // which is no warning
   for (const std::string& warning : run.rendering.warnings)
@@ -140,7 +140,7 @@ ordered_json compare_runs(const RunRecord& run, const RunRecord& reference) {
             {"method", reference.rendering.method},
             {"samples", reference.rendering.samples},
             {"command_line", reference.provenance.command_line}}},
-          {"same_scene", run.provenance.scene_sha256 == reference.provenance.scene_sha256},
+          {"same_scene", run.provenance.scene_digest == reference.provenance.scene_digest},
           {"may_share_samples", may_share_samples(run.rendering, reference.rendering)},
           {"relative_rmse", finite_or_null(comparison.relative_rmse)},
           {"bins", comparison.bins},

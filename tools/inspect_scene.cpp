@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/requirements.h"
+#include "lab/wording.h"
 #include "mutations/family_settings.h"
 #include "statistics/number_text.h"
 #include "tools/inspection.h"
@@ -108,7 +109,8 @@ ordered_json inspect_scene(const SceneDocument& document, const Probe& probe) {
           {"kind", "scene"},
           {"name", scene.name},
           {"description", scene.description},
-          {"sha256", document.sha256},
+          {"sha256", document.digest.text},
+          {"files", document.digest.files},
           {"dimension", scene.dimension},
           {"max_vertices", scene.max_vertices},
           {"counts", counts_of(scene)},
@@ -131,9 +133,11 @@ std::string text_of_scene(const ordered_json& inspection) {
   if (counts.contains("mesh_triangles"))
     text += fmt::format("  meshes          {} triangles\n", counts["mesh_triangles"].get<int>());
   text += fmt::format("  lights          {}\n", counts["lights"].get<int>());
-  text += fmt::format("  sensor          {}, {} bins\n", film["sensor"].get<std::string>(),
-                      fmt::join(film["shape"].get<std::vector<int>>(), " x "));
+  text += fmt::format("  sensor          {}, {}\n", film["sensor"].get<std::string>(),
+                      extent_in_words(film["shape"].get<std::vector<int>>()));
   text += fmt::format("  sha256          {}\n", inspection["sha256"].get<std::string>());
+  for (const auto& [name, digest] : inspection["files"].items())
+    text += fmt::format("                  {}  {}\n", digest.get<std::string>(), name);
   const ordered_json& probe = inspection["probe"];
   text += fmt::format("  light           {} of {} bidirectional samples find some\n",
                       probe["samples_with_light"].get<std::uint64_t>(),

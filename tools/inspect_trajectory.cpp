@@ -75,27 +75,28 @@ std::string shares(const Counts& counts, std::size_t size, std::size_t most) {
 
 ordered_json inspect_trajectory(const TrajectoryRecord& record) {
   const Trajectory& t = record.trajectory;
-  return {{"schema", "wanderlight-inspection/1"},
-          {"kind", "trajectory"},
-          {"complete", record.complete},
-          {"scene",
-           {{"name", record.provenance.scene_name}, {"sha256", record.provenance.scene_sha256}}},
-          {"dimension", t.dimension},
-          {"method", record.method},
-          {"chains", t.chains},
-          {"draws", t.draws},
-          {"first_step", t.first_step},
-          {"every", t.every},
-          {"seed", record.seed},
-          {"normalization",
-           {{"value", finite_or_null(record.normalization.value)},
-            {"standard_error", finite_or_null(record.normalization.standard_error)}}},
-          {"mutations", json_of(mutations_of(t))},
-          {"reasons", json_of(counts(t.reasons, t.reason))},
-          {"classes", json_of(counts(t.classes, t.state.path_class))},
-          {"command_line", record.provenance.command_line},
-          {"version", record.provenance.version},
-          {"provenance", to_json(record.provenance.origin)}};
+  return {
+      {"schema", "wanderlight-inspection/1"},
+      {"kind", "trajectory"},
+      {"complete", record.complete},
+      {"scene",
+       {{"name", record.provenance.scene_name}, {"sha256", record.provenance.scene_digest.text}}},
+      {"dimension", t.dimension},
+      {"method", record.method},
+      {"chains", t.chains},
+      {"draws", t.draws},
+      {"first_step", t.first_step},
+      {"every", t.every},
+      {"seed", record.seed},
+      {"normalization",
+       {{"value", finite_or_null(record.normalization.value)},
+        {"standard_error", finite_or_null(record.normalization.standard_error)}}},
+      {"mutations", json_of(mutations_of(t))},
+      {"reasons", json_of(counts(t.reasons, t.reason))},
+      {"classes", json_of(counts(t.classes, t.state.path_class))},
+      {"command_line", record.provenance.command_line},
+      {"version", record.provenance.version},
+      {"provenance", to_json(record.provenance.origin)}};
 }
 
 std::string text_of_trajectory(const TrajectoryRecord& record) {
@@ -114,7 +115,7 @@ std::string text_of_trajectory(const TrajectoryRecord& record) {
   text += fmt::format("  scene           {}\n", record.provenance.scene_name.empty()
                                                     ? "without a name"
                                                     : record.provenance.scene_name);
-  text += fmt::format("  scene sha256    {}\n", record.provenance.scene_sha256);
+  text += fmt::format("  scene sha256    {}\n", record.provenance.scene_digest.text);
   return text + made_by_lines(record.provenance);
 }
 

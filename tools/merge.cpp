@@ -29,7 +29,18 @@ namespace fs = std::filesystem;
 struct MergeTask {
   std::vector<std::string> directories;
   std::vector<MergePart> parts;
+  std::string scene;  // where it is now; empty: where it was
 };
+
+SceneDocument scene_of(const MergeTask& task) {
+  const KeptScene& kept = task.parts.front().run.scene;
+  if (task.scene.empty()) return reopened(kept);
+  SceneDocument document = open_scene(task.scene);
+  if (const auto other = difference(kept, kept_scene(document, task.scene)))
+    throw UsageError(
+        fmt::format("--scene {} is not that of the runs: their {}", task.scene, *other));
+  return document;
+}
 
 // Words that were misread are not taken for directories.
 void examine(MergeTask& task, const Global& global, Examination& examination) {
@@ -54,12 +65,12 @@ ExitCode merge_runs(const MergeTask& task, const Global& global) {
     require_file(checkpoint_in(directory->path()));
   }
   const Checkpoint& first = task.parts.front().run;
-  const SceneDocument document = reopen_scene(first.scene_text, first.scene_source);
+  const SceneDocument document = scene_of(task);
   const Job job(document.scene, find_method(first.method), first.turned());
   Session session;
   session.threads = global.threads;
   RunRecord run{merge(job, task.parts, session), provenance_of(document, global.command_line)};
-  const std::vector<std::string> doubts = scene_warnings(document, first.scene_source);
+  const std::vector<std::string> doubts = scene_warnings(document, first.scene.source);
   run.rendering.warnings.insert(run.rendering.warnings.begin(), doubts.begin(), doubts.end());
   if (directory) {
     write_run(run, job.scene(), directory->path());
@@ -98,6 +109,9 @@ void add_merge(CLI::App& app, Global& global) {
   verb.add_option("DIR", task->directories, "directories of runs, as `wander render` makes them")
       .type_name("")
       .required();
+  verb.add_option("--scene", task->scene,
+                  "the scene where it is now, if meshes and textures that it names have moved")
+      .type_name("FILE");
   add_global_options(verb, global);
   verb.footer(merge_details);
   examine_with(verb, global,

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "lab/engine.h"
+#include "lab/failure.h"
 #include "lab/held_run.h"
 #include "lab/memory_need.h"
 #include "lab/parsing.h"
@@ -37,26 +38,41 @@ Rendering rendering_of(const RenderTask& task, const Keeper& keeper, const Globa
   // Not before: while the scene is built there is nothing to save.
   session.interrupted = &watch_for_interruption();
   Rendering rendering = run.go_on(session, keeper);
-  add_warnings(rendering, session, task.document, task.run.scene_source);
+  add_warnings(rendering, session, task.document, task.run.scene.source);
   return rendering;
 }
 
 Beginning beginning_of(const RenderOptions& options, const RenderTask& task) {
   if (!options.is_continuation) return Beginning::anew;
+  if (task.is_begun_again()) return Beginning::begun_again;
   return task.is_new_budget ? Beginning::carried_further : Beginning::carried_on;
 }
 
 // What is kept of a run stands in its directory from the first moment, so that it can be carried on whenever it
 // ends.
 Keeper keeper_in(RunDirectory& directory, const RenderOptions& options, const RenderTask& task) {
-  return directory.keeper(keeper_for(options, task.budget), task.run);
+  Keeper keeper = keeper_for(options, task.budget);
+  keeper.least = task.samples_before.value_or(0);
+  return directory.keeper(std::move(keeper), task.run);
+}
+
+// What was there is more than a beginning of what was to take its place.
+void require_more_than_before(const RenderTask& task, const Rendering& rendering,
+                              const std::filesystem::path& directory) {
+  if (rendering.complete || rendering.samples >= task.samples_before.value_or(0)) return;
+  throw CommandFailure(
+      ExitCode::interrupted,
+      fmt::format("interrupted before the run that was begun again had the {} samples of that in "
+                  "{}, which stays as it is",
+                  *task.samples_before, directory.string()));
 }
 
 void tell_where_it_goes_on(const RenderTask& task) {
-  if (task.is_begun_again)
-    return print_note(
-        fmt::format("  begun again, to {}: what so few steps had planned is no plan for more\n",
-                    task.run.budget));
+  if (task.is_begun_again())
+    return print_note(fmt::format(
+        "  begun again, to {}: what so few steps had planned is no plan for more; the run "
+        "that is there stays until there is as much of the new one\n",
+        task.run.budget));
   const bool has_chains = task.job.method().is_markov_chain();
   print_note(fmt::format("  carried on from {} samples, to {}\n", task.run.run.headway.samples,
                          task.run.budget));
@@ -89,6 +105,7 @@ ExitCode render_scene(const RenderOptions& options, const RenderTask& task, cons
                       provenance_of(task.document, global.command_line)};
 
   if (directory) {
+    require_more_than_before(task, run.rendering, directory->path());
     directory->save(run, task.job.scene(), options.exposure.value_or(0));
     spdlog::debug("wrote the film and run.json");
   }

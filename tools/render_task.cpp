@@ -6,11 +6,13 @@
 
 #include <limits>
 
+#include "core/film_statistics.h"
 #include "lab/failure.h"
 #include "lab/few_steps.h"
 #include "lab/merge.h"
 #include "lab/parsing.h"
 #include "lab/scene_source.h"
+#include "records/run_json.h"
 #include "tools/examined_job.h"
 #include "tools/output_place.h"
 
@@ -59,11 +61,9 @@ std::optional<RenderTask> examine_new(const RenderOptions& options, const Global
   std::optional<Job> job =
       examined_job(document->scene, *options.method, options.given->dials, examination);
   if (!job || !examination.is_passed()) return {};
-  say(*job, document->sha256);
+  say(*job, document->digest.text);
   const std::string budget = options.budget.empty() ? usual_budget : options.budget;
-  return RenderTask{.run = {.scene_source = options.scene,
-                            .scene_text = document->text,
-                            .scene_sha256 = document->sha256,
+  return RenderTask{.run = {.scene = kept_scene(*document, options.scene),
                             .method = std::string(options.method->name),
                             .budget = budget,
                             .dials = texts_of(*options.given),
@@ -83,11 +83,9 @@ std::vector<std::string> differences(const RenderOptions& options, const Checkpo
   const auto differ = [&](std::string_view what, std::string_view has, std::string_view asked) {
     found.push_back(fmt::format("its {} is {}, not {}", what, has, asked));
   };
-  const auto shown = [](const std::string& source, const std::string& digest) {
-    return fmt::format("{} (sha256 {})", shown_name(source), digest.substr(0, 12));
-  };
-  if (scene && scene->sha256 != run.scene_sha256)
-    differ("scene", shown(run.scene_source, run.scene_sha256), shown(options.scene, scene->sha256));
+  if (scene)
+    if (const auto other = difference(run.scene, kept_scene(*scene, options.scene)))
+      found.push_back("its " + *other);
   if (options.method && options.method->name != run.method)
     differ("method", run.method, options.method->name);
   if (options.seed && *options.seed != run.seed)
@@ -118,6 +116,28 @@ void require_not_merged(const std::filesystem::path& directory) {
                     directory.string()));
 }
 
+double error_of_film_in(const std::filesystem::path& directory) {
+  try {
+    return relative_error(read_run(directory).rendering.film);
+  } catch (const RunFileError&) {
+    return not_known;
+  }
+}
+
+// To another budget than that of the run.
+void aim_further(RenderTask& task, const std::string& text,
+                 const std::filesystem::path& directory) {
+  Checkpoint& run = task.run;
+  if (is_of_few_steps(parse_budget(run.budget), task.job)) {
+    if (!asks_for_more(task.budget, run.run.headway, [&] { return error_of_film_in(directory); }))
+      return;
+    task.samples_before = run.run.headway.samples;
+    run.run = {};
+  }
+  task.is_new_budget = true;
+  run.budget = text;
+}
+
 RenderTask continued(const RenderOptions& options, const Global& global) {
   require_not_merged(global.out);
   Checkpoint run = read_checkpoint(global.out, anew);
@@ -129,16 +149,14 @@ RenderTask continued(const RenderOptions& options, const Global& global) {
                     "another place for a new run",
                     global.out.string(), fmt::join(found, "; ")));
   const bool is_new_budget = !options.budget.empty() && options.budget != run.budget;
-  const Budget planned = parse_budget(run.budget);
-  if (is_new_budget) run.budget = options.budget;
-  const Budget budget = parse_budget(run.budget);
-  require_not_beyond(run, budget, run.budget);
-  if (!scene) scene = reopen_scene(run.scene_text, run.scene_source);
+  const std::string text = is_new_budget ? options.budget : run.budget;
+  require_not_beyond(run, parse_budget(text), text);
+  if (!scene) scene = reopened(run.scene);
   Job job(scene->scene, find_method(run.method), run.turned());
-  say(job, scene->sha256);
-  const bool is_begun_again = is_new_budget && is_of_few_steps(planned, job);
-  if (is_begun_again) run.run = {};
-  return {std::move(run), *std::move(scene), std::move(job), budget, is_new_budget, is_begun_again};
+  say(job, scene->digest.text);
+  RenderTask task{std::move(run), *std::move(scene), std::move(job), parse_budget(text)};
+  if (is_new_budget) aim_further(task, text, global.out);
+  return task;
 }
 
 std::optional<RenderTask> examine_continued(const RenderOptions& options, const Global& global,

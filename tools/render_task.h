@@ -32,8 +32,11 @@ struct RenderTask {
   SceneDocument document;
   Job job;
   Budget budget;
-  bool is_new_budget = false;   // another than that of the run that is carried on
-  bool is_begun_again = false;  // for what that run had planned is no plan for this budget
+  bool is_new_budget = false;  // another than that of the run that is carried on
+  // Of that run, if it is begun again, for what it had planned is no plan for this budget.
+  std::optional<std::uint64_t> samples_before{};
+
+  bool is_begun_again() const { return samples_before.has_value(); }
 };
 
 // All that can be said against it; the task, if nothing can be.

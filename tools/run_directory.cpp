@@ -13,6 +13,10 @@ namespace wander {
 
 namespace {
 
+bool is_of_what_is_kept(Beginning beginning) {
+  return beginning == Beginning::carried_on || beginning == Beginning::carried_further;
+}
+
 Global replacing_itself(Global global, Beginning beginning) {
   global.force = global.force || beginning != Beginning::anew;
   return global;
@@ -28,7 +32,7 @@ RunDirectory::RunDirectory(const std::filesystem::path& path, const Global& glob
 
 Keeper RunDirectory::keeper(Keeper when, Checkpoint run) {
   run_ = std::move(run);
-  is_kept_ = beginning_ != Beginning::anew;
+  is_kept_ = is_of_what_is_kept(beginning_);
   if (!(when.every > 0)) return when;
   if (beginning_ == Beginning::carried_further || (!is_kept_ && !has_something())) {
     write_checkpoint(

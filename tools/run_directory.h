@@ -15,7 +15,8 @@
 namespace wander {
 
 // Is what is kept in the directory of this run already, and does it go further than that says?
-enum class Beginning { anew, carried_on, carried_further };
+// One that is begun again is a new one in the place of its old self.
+enum class Beginning { anew, begun_again, carried_on, carried_further };
 
 // What stood there before a run that replaces it goes when there is something of the new one, and no sooner: a
 // program that is killed leaves the one or the other.

@@ -118,7 +118,7 @@ void write_facts(Html& html, const Subject& subject, const std::string& source) 
     item("run", fmt::format("{} on {}", origin.date, origin.cpu));
   }
   item("scene", source);
-  item("its SHA-256", runs.provenance.scene_sha256);
+  item("its SHA-256", runs.provenance.scene_digest.text);
   item("reference", runs.reference.origin.empty() ? "none" : runs.reference.origin);
   item("runs",
        fmt::format("{}, {} of sampling together", runs.runs.size(), duration_in_words(seconds)));

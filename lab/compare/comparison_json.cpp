@@ -8,6 +8,7 @@
 #include "lab/compare/curves.h"
 #include "lab/compare/film_files.h"
 #include "records/run_json.h"
+#include "records/scene_record.h"
 
 namespace wander::compare {
 
@@ -146,10 +147,7 @@ ordered_json to_json(const Comparison& comparison) {
                     {"complete", runs.complete},
                     {"verdict", comparison.verdict},
                     {"cautions", comparison.cautions},
-                    {"scene",
-                     {{"name", provenance.scene_name},
-                      {"sha256", provenance.scene_sha256},
-                      {"text", provenance.scene_text}}},
+                    {"scene", scene_json(provenance)},
                     {"dimension", provenance.dimension},
                     {"command_line", provenance.command_line},
                     {"version", provenance.version},

@@ -14,6 +14,7 @@
 #include "records/key_limit.h"
 #include "records/pending_names.h"
 #include "records/run_json.h"
+#include "records/scene_record.h"
 #include "records/temporary_file.h"
 
 namespace wander::compare {
@@ -99,10 +100,12 @@ void read(std::vector<Record>& records, const JsonPlace& json) {
 
 Runs runs_from(const JsonPlace& json, const std::string& place) {
   Runs runs;
-  const JsonPlace scene = json.at("scene");
-  runs.provenance = {scene.at("name"),      scene.at("text"),        scene.at("sha256"),
-                     json.at("dimension"),  json.at("command_line"), json.at("version"),
-                     origin_from_json(json)};
+  Provenance& provenance = runs.provenance;
+  read_scene(json.at("scene"), provenance);
+  provenance.dimension = json.at("dimension");
+  provenance.command_line = json.at("command_line").get<std::string>();
+  provenance.version = json.at("version").get<std::string>();
+  provenance.origin = origin_from_json(json);
   runs.complete = json.at("complete");
   runs.warnings = json.at("warnings").get<std::vector<std::string>>();
   read(runs.contenders, json.at("contenders"));

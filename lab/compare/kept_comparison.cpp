@@ -51,7 +51,7 @@ void serialize(Archive& archive, KeptReference& kept) {
 
 namespace {
 
-constexpr std::string_view format = "wanderlight-kept/3", family = "wanderlight-kept/";
+constexpr std::string_view format = "wanderlight-kept/4", family = "wanderlight-kept/";
 constexpr const char* plan_part = "plan";
 constexpr const char* reference_part = "reference";
 constexpr std::string_view runs_prefix = "runs-";
@@ -111,16 +111,18 @@ KeptPart read_part(const fs::path& file, const std::string& part) {
 
 // What makes a comparison the one that it is.
 ordered_json identity_of(const Request& r) {
-  return {{"scene", r.scene_sha256}, {"methods", r.methods},
-          {"budgets", r.budgets},    {"reference", r.reference},
-          {"dials", r.fixed},        {"sweeps", r.sweeps},
+  return {{"scene", whole_digest(r.scene.digest)},
+          {"methods", r.methods},
+          {"budgets", r.budgets},
+          {"reference", r.reference},
+          {"dials", r.fixed},
+          {"sweeps", r.sweeps},
           {"seed", r.seed}};
 }
 
 std::string json_of(const Request& r) {
   ordered_json json = identity_of(r);
-  json["source"] = r.scene_source;
-  json["text"] = r.scene_text;
+  json["scene"] = to_json(r.scene);
   json["replicates"] = r.replicates;
   json["target"] = std::isfinite(r.target) ? ordered_json(r.target) : ordered_json(nullptr);
   return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
@@ -130,9 +132,7 @@ Request request_from(const fs::path& file, const std::string& text) {
   try {
     const ordered_json document = parsed_json(text);
     const JsonPlace json(document);
-    return {.scene_source = json.at("source"),
-            .scene_text = json.at("text"),
-            .scene_sha256 = json.at("scene"),
+    return {.scene = kept_scene_from(json.at("scene")),
             .methods = json.at("methods"),
             .budgets = json.at("budgets"),
             .reference = json.at("reference"),

@@ -23,12 +23,13 @@
 
 #include "lab/compare/runs.h"
 #include "lab/compare/schedule.h"
+#include "lab/kept_scene.h"
 
 namespace wander::compare {
 
 // What was asked for, in the words of the command line.
 struct Request {
-  std::string scene_source{}, scene_text{}, scene_sha256{};  // source: as it was named
+  KeptScene scene{};
   std::string methods{}, budgets{}, reference{};
   std::vector<std::string> fixed{}, sweeps{};  // of dials
   std::uint64_t seed = 1;

@@ -71,7 +71,7 @@ Reference reference_from_file(const std::filesystem::path& file, const std::vect
   const FilmEstimate& film = run.rendering.film;
   if (film.value.empty() || film.shape != shape) refuse_shape(file, film, shape);
   require_sound(file, film);
-  if (run.provenance.scene_sha256 != scene.scene_sha256)
+  if (run.provenance.scene_digest != scene.scene_digest)
     warnings.push_back(fmt::format(
         "--reference {} is of another scene file: errors are measured against that scene's film",
         file.string()));

@@ -29,7 +29,7 @@ constexpr const char* schema = "wanderlight-reference/3";
 constexpr std::string_view ending = ".runs";
 
 std::string prefix_of(const Provenance& provenance, int max_vertices) {
-  return fmt::format("{}-{}-", provenance.scene_sha256, max_vertices);
+  return fmt::format("{}-{}-", whole_digest(provenance.scene_digest), max_vertices);
 }
 
 void require_whole(const LongRuns& runs) {
@@ -117,12 +117,14 @@ std::vector<LongRuns> ReferenceCache::load(const std::vector<int>& shape,
 }
 
 void ReferenceCache::store(const LongRuns& runs, std::vector<std::string>& warnings) const {
-  const ordered_json document{
-      {"schema", schema},
-      {"version", provenance_.version},
-      {"scene", {{"name", provenance_.scene_name}, {"sha256", provenance_.scene_sha256}}},
-      {"max_vertices", max_vertices_},
-      {"made_by", runs.made_by}};
+  const ordered_json document{{"schema", schema},
+                              {"version", provenance_.version},
+                              {"scene",
+                               {{"name", provenance_.scene_name},
+                                {"sha256", provenance_.scene_digest.text},
+                                {"files", provenance_.scene_digest.files}}},
+                              {"max_vertices", max_vertices_},
+                              {"made_by", runs.made_by}};
   try {
     if (folder().empty()) throw std::runtime_error("neither XDG_CACHE_HOME nor HOME is set");
     fs::create_directories(folder());

@@ -118,6 +118,8 @@ class Cells {
   double direct() const { return direct_; }
   double samples() const { return samples_; }
   bool has_states() const { return all_states_ > 0; }
+  // Until the groups tell: few states know no more than as many samples.
+  double balance_at_first() const { return std::min(1.0, state_count_ / samples_); }
   std::span<const Cell> all() const { return cells_; }
 
   // What is left of a side without a group, but for rounding.
@@ -181,7 +183,7 @@ class Cells {
 };
 
 // n_M / n_B: how many independent draws tell as much as each side does.  A side's own variance,
-// were its paths independent, over the variance that its groups show.
+// were its paths independent, over the variance that its groups show.  Where these show none, `balance` stays.
 double best_balance(const Cells& cells, double balance, double beta) {
   const auto h = [&](double l) { return l / (balance * l + std::exp(beta)); };
   const auto m = [&](double l) { return 1 / (balance * l + std::exp(beta)); };
@@ -237,6 +239,7 @@ BridgeFit bridge(std::span<const BridgeGroup> groups) {
     fit.failure = "it needs paths of the seed pass and states of chains";
     return fit;
   }
+  fit.balance = cells.balance_at_first();
   std::optional<double> beta = solve(cells.all(), fit.balance, 0);
   for (int round = 0; round < 2 && beta && groups.size() > 1; ++round) {
     fit.balance = best_balance(cells, fit.balance, *beta);

@@ -26,7 +26,8 @@ class NoLightFound : public std::runtime_error {
 // The run was interrupted before there was anything to keep.
 class NothingComputed : public std::runtime_error {
  public:
-  NothingComputed() : std::runtime_error("interrupted before the first step") {}
+  explicit NothingComputed(const std::string& before = "the first step")
+      : std::runtime_error("interrupted before " + before) {}
 };
 
 }  // namespace wander

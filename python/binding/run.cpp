@@ -15,6 +15,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/film_statistics.h"
 #include "lab/checkpoint.h"
 #include "lab/failure.h"
 #include "lab/few_steps.h"
@@ -124,8 +125,13 @@ class BoundRun {
   };
 
   void to_budget(const std::string& budget) {
-    const bool is_another = !budget_.empty() && budget != budget_;
-    if (is_another && is_of_few_steps(parse_budget(budget_), request_.job())) {
+    if (!budget_.empty() && budget != budget_ &&
+        is_of_few_steps(parse_budget(budget_), request_.job())) {
+      const auto error = [this] {
+        return record_.run ? relative_error(record_.run->rendering.film) : not_known;
+      };
+      const Headway& done = run_ ? run_->headway() : from_.headway;
+      if (!asks_for_more(parse_budget(budget), done, error)) return;
       run_.reset();
       from_ = {};
     }
@@ -172,12 +178,12 @@ constexpr const char* anew = "render the scene anew";
 std::tuple<std::unique_ptr<BoundRun>, std::string, std::string> resumed(
     const std::string& directory) {
   Checkpoint kept = read_checkpoint(directory, anew);
-  RunRequest request{{reopen_scene(kept.scene_text, kept.scene_source), kept.scene_source},
+  RunRequest request{{reopened(kept.scene), kept.scene.source},
                      kept.method,
                      kept.dials,
                      kept.seed,
                      "wanderlight.open_run"};
-  const std::string source = kept.scene_source, budget = kept.budget;
+  const std::string source = kept.scene.source, budget = kept.budget;
   const BoundRecord record{std::make_shared<const RunRecord>(read_run(directory))};
   return {std::make_unique<BoundRun>(std::move(request), std::move(kept), record), source, budget};
 }

@@ -33,9 +33,7 @@ Job RunRequest::job() const {
 }
 
 Checkpoint RunRequest::checkpoint(const std::string& budget) const {
-  return {.scene_source = scene.source,
-          .scene_text = scene.document.text,
-          .scene_sha256 = scene.document.sha256,
+  return {.scene = kept_scene(scene.document, scene.source),
           .method = method,
           .budget = budget,
           .dials = dials,

@@ -59,7 +59,7 @@ void bind_scene(nb::module_& module) {
                   "The text of a scene file that is, or would be, at `source`.")
       .def_ro("source", &BoundScene::source)
       .def_prop_ro("text", [](const BoundScene& s) { return s.document.text; })
-      .def_prop_ro("sha256", [](const BoundScene& s) { return s.document.sha256; })
+      .def_prop_ro("sha256", [](const BoundScene& s) { return s.document.digest.text; })
       .def_prop_ro("name", [](const BoundScene& s) { return s.document.scene.name; })
       .def_prop_ro("dimension", [](const BoundScene& s) { return s.document.scene.dimension; })
       .def_prop_ro("max_vertices",

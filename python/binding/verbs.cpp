@@ -60,10 +60,10 @@ BoundRecord merged(const std::vector<std::string>& directories, int threads) {
   const Session session = listening.session(first.seed, threads);
   BoundRecord record;
   listening.carry_out([&] {
-    const SceneDocument document = reopen_scene(first.scene_text, first.scene_source);
+    const SceneDocument document = reopened(first.scene);
     const Job job(document.scene, find_method(first.method), first.turned());
     RunRecord run{merge(job, parts, session), provenance_of(document, "wanderlight.merge")};
-    const std::vector<std::string> doubts = scene_warnings(document, first.scene_source);
+    const std::vector<std::string> doubts = scene_warnings(document, first.scene.source);
     run.rendering.warnings.insert(run.rendering.warnings.begin(), doubts.begin(), doubts.end());
     record.run = std::make_shared<const RunRecord>(std::move(run));
   });

@@ -129,7 +129,10 @@ SceneDocument parse_scene(std::string text, std::string_view name, const SceneFi
   Lint found = lint(result.scene);
   if (!found.faults.empty()) throw SceneFileError(file, std::move(found.faults));
   result.warnings = std::move(found.warnings);
-  result.sha256 = sha256(text);
+  result.digest.text = sha256(text);
+  if (files.digest)
+    for (const auto& named : {meshes.files(), textures.files()})
+      for (const std::string& one : named) result.digest.files[one] = files.digest(one);
   result.text = std::move(text);
   return result;
 }

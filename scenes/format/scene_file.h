@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "core/description.h"
+#include "scenes/format/scene_digest.h"
 #include "scenes/format/scene_file_fault.h"
 #include "scenes/format/scene_files.h"
 
@@ -22,7 +23,8 @@ namespace wander {
 
 struct SceneDocument {
   description::Scene scene;
-  std::string text, sha256;
+  std::string text;
+  SceneDigest digest;
   std::vector<Fault> warnings;  // doubts about the geometry of a valid scene, see lint.h
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "scenes/format/sha256.h"
 #include "scenes/format/texture_file.h"
 
 namespace wander {
@@ -33,7 +34,8 @@ SceneFiles files_in(const fs::path& folder) {
           },
           [folder](const std::string& file) {
             return read_texture(path_of<TextureFileError>(file, folder, "texture"));
-          }};
+          },
+          [folder](const std::string& file) { return sha256_of_file(folder / file); }};
 }
 
 Triangles no_mesh(const std::string&, MeshWants) {

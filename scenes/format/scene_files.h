@@ -20,9 +20,14 @@ using TextureReader = std::function<std::shared_ptr<const Texture>(const std::st
 Triangles no_mesh(const std::string& file, MeshWants wanted);
 std::shared_ptr<const Texture> no_texture(const std::string& file);
 
+// The SHA-256 of what is in it.
+using DigestOfFile = std::function<std::string(const std::string& file)>;
+
 struct SceneFiles {
   MeshReader mesh = no_mesh;
   TextureReader texture = no_texture;
+  DigestOfFile
+      digest{};  // of a file that was read; none where what is in the files is of no concern
 };
 
 // Of a scene in this folder.  A path is relative to it and stays in it: neither `..` nor a symbolic

@@ -95,6 +95,7 @@ std::vector<JsonFault> SceneMeshes::read(const JsonDocument& document,
     try {
       const auto name = std::pair(mesh.file, wants_of(mesh, shape.node, document));
       if (!files.contains(name)) files.emplace(name, read_file(mesh.file, name.second));
+      files_.insert(mesh.file);
       const Triangles& triangles = files.at(name);
       if (mesh.normals == description::MeshNormals::smooth && triangles.normals.empty())
         found.push_back(document.fault(

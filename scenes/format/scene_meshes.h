@@ -3,6 +3,8 @@
 
 #include <map>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "core/geometry/triangles.h"
@@ -23,7 +25,11 @@ class SceneMeshes {
     return meshes_.at(&shape);
   }
 
+  // Those that were read, as the document names them.
+  const std::set<std::string>& files() const { return files_; }
+
  private:
+  std::set<std::string> files_;
   std::map<const nlohmann::ordered_json*, std::shared_ptr<const Triangles>> meshes_;
 };
 

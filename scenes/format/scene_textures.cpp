@@ -28,6 +28,7 @@ std::vector<JsonFault> SceneTextures::read(const JsonDocument& document,
     const auto file = node->get<std::string>();
     try {
       if (!files.contains(file)) files.emplace(file, read_file(file));
+      files_.insert(file);
       textures_[reflectance->value] = files.at(file);
     } catch (const TextureFileError& error) {
       found.push_back(document.fault(node, fmt::format("{}: {}", excerpt(file), error.what())));

@@ -3,6 +3,8 @@
 
 #include <map>
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "scenes/format/json_document.h"
@@ -21,7 +23,11 @@ class SceneTextures {
     return textures_.at(&reflectance);
   }
 
+  // Those that were read, as the document names them.
+  const std::set<std::string>& files() const { return files_; }
+
  private:
+  std::set<std::string> files_;
   std::map<const nlohmann::ordered_json*, std::shared_ptr<const Texture>> textures_;
 };
 

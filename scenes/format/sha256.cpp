@@ -4,6 +4,7 @@
 #include <openssl/evp.h>
 
 #include <array>
+#include <fstream>
 #include <iterator>
 #include <stdexcept>
 
@@ -44,6 +45,17 @@ std::string Sha256::digest() {
 std::string sha256(std::string_view text) {
   Sha256 hash;
   hash.add(text);
+  return hash.digest();
+}
+
+std::string sha256_of_file(const std::filesystem::path& path) {
+  Sha256 hash;
+  std::ifstream stream(path, std::ios::binary);
+  for (std::string block(std::size_t{1} << 20, '\0'); stream;) {
+    stream.read(block.data(), static_cast<std::streamsize>(block.size()));
+    hash.add(std::string_view(block).substr(0, static_cast<std::size_t>(stream.gcount())));
+  }
+  if (!stream.is_open() || stream.bad()) throw std::runtime_error("cannot read " + path.string());
   return hash.digest();
 }
 

@@ -1,6 +1,7 @@
-// SHA-256, the identity of a scene's text.
+// SHA-256, by which texts and files are told from others.
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -9,6 +10,8 @@ namespace wander {
 
 // 64 hexadecimal digits in lower case.
 std::string sha256(std::string_view text);
+// Throws std::runtime_error if it cannot be read.
+std::string sha256_of_file(const std::filesystem::path& path);
 
 // The same of a text that comes in pieces.
 class Sha256 {

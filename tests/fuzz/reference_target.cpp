@@ -19,7 +19,7 @@ const Target reference_target{
       std::filesystem::create_directory(cache);
       write_bytes(cache / "0-8-input.runs", sealed(of_this_version(bytes)));
       Provenance scene;
-      scene.scene_sha256 = "0";
+      scene.scene_digest.text = "0";
       scene.version = program_version();
       std::vector<std::string> warnings;
       compare::ReferenceCache(scene, 8).load({2, 2}, warnings);

@@ -218,6 +218,7 @@ TEST_F(Image, ReadsBackFromNetcdfToTheLastBit) {
     EXPECT_EQ(back.rendering.normalization.value().standard_error, 0.002);
     EXPECT_EQ(back.rendering.samples, run.rendering.samples);
     EXPECT_EQ(back.provenance.scene_text, run.provenance.scene_text);
+    EXPECT_EQ(back.provenance.scene_digest, run.provenance.scene_digest);
     EXPECT_EQ(back.provenance.dimension, 3);
     EXPECT_EQ(back.provenance.origin.commit, "c0ffee");
   }

@@ -13,7 +13,7 @@ inline RunRecord markov_chain_run() {
   RunRecord run;
   run.provenance = {"box",
                     "{ \"dimension\": 2 } // text \"with\" quotes\n",
-                    "abc123",
+                    {"abc123", {{"meshes/a \"b\".obj", "f00d"}, {"ä.png", "0"}}},
                     2,
                     "wander render box.json",
                     "0.1.0",

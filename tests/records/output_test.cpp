@@ -249,7 +249,7 @@ TEST_F(Output, AnExrReadsBackWhatItHolds) {
   write_file(folder / "film.exr", to_exr(run));
   const RunRecord back = read_exr(folder / "film.exr");
   EXPECT_EQ(back.provenance.scene_text, run.provenance.scene_text);
-  EXPECT_EQ(back.provenance.scene_sha256, "abc123");
+  EXPECT_EQ(back.provenance.scene_digest, run.provenance.scene_digest);
   EXPECT_EQ(back.provenance.command_line, "wander render box.json");
   EXPECT_EQ(back.provenance.version, "0.1.0");
   for (const OriginField& field : origin_fields)

@@ -69,7 +69,7 @@ TrajectoryRecord small_record(int dimension) {
   record.normalization = {0.61, 0.002};
   record.provenance = {"",
                        "{} // \"é\"\n",
-                       "abc",
+                       {"abc", {{"tri.obj", "f00d"}}},
                        dimension,
                        "wander trace 'a b.json'",
                        "0.1.0",
@@ -172,7 +172,7 @@ TEST_F(TrajectoryFile, ReadsBackWhatWasWritten) {
     EXPECT_EQ(back.normalization.standard_error, 0.002);
     EXPECT_EQ(back.provenance.scene_name, "");
     EXPECT_EQ(back.provenance.scene_text, record.provenance.scene_text);
-    EXPECT_EQ(back.provenance.scene_sha256, "abc");
+    EXPECT_EQ(back.provenance.scene_digest, record.provenance.scene_digest);
     EXPECT_EQ(back.provenance.command_line, record.provenance.command_line);
     EXPECT_EQ(back.provenance.version, "0.1.0");
     for (const OriginField& field : origin_fields)

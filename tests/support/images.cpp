@@ -30,7 +30,8 @@ double light_at(double x, double y, int channel) {
 
 RunRecord image_run(int width, int height, int channels, std::uint64_t seed) {
   RunRecord run;
-  run.provenance = {"room", scene, "abc123", 3, "wander render room.json", "0.1.0", {}};
+  run.provenance = {"room",  scene, {"abc123", {{"tri.obj", "f00d"}}}, 3, "wander render room.json",
+                    "0.1.0", {}};
   Rendering& rendering = run.rendering;
   rendering.method = "bdpt";
   rendering.samples = 2'000'000;

@@ -75,6 +75,47 @@ TEST_F(Continuing, ThePlanOfFewStepsIsNotCarriedOnToMany) {
   EXPECT_LACKS(wander("render --continue -o few -b 5k").err, "begun again");
 }
 
+// Nothing is lost to a budget that asks for no more than there is.
+TEST_F(Continuing, ThePlanOfFewStepsStaysWhereNothingIsLeftToDo) {
+  ASSERT_EQ(wander("render box.json -m mlt -b 50k -q -o few").exit_code, 0);
+  const json before = numbers_in("few");
+  for (const char* budget : {"1ms", "0.001cpu-s", "error<50%", "50000"}) {
+    SCOPED_TRACE(budget);
+    const Outcome outcome = wander(std::string("render --continue -o few -b '") + budget + "'");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_LACKS(outcome.err, "begun again");
+    EXPECT_EQ(numbers_in("few")["samples"], before["samples"]);
+    EXPECT_EQ(numbers_in("few")["film"], before["film"]);
+  }
+}
+
+// Nor to one that begins again and does not come as far as the run was.
+TEST_F(Continuing, WhatIsBegunAgainTakesTheOldRunsPlaceWhenThereIsAsMuch) {
+  ASSERT_EQ(wander("render gallery:slit -m mlt -b 200k -q -t 1 -o few").exit_code, 0);
+  const auto file = [&](const char* name) { return contents(folder / "few" / name); };
+  const std::string run = file("run.json"), film = file("film.exr"),
+                    checkpoint = file("checkpoint");
+  const auto expect_as_it_was = [&] {
+    EXPECT_EQ(file("run.json"), run);
+    EXPECT_TRUE(file("film.exr") == film && file("checkpoint") == checkpoint);
+  };
+  const std::string to_much = "\"$WANDER\" render --continue -o few -b 3h -t 1 --checkpoint ";
+  const Outcome outcome = shell("timeout --preserve-status -s INT 0.3 " + to_much + "60");
+  EXPECT_EQ(outcome.exit_code, 130);
+  EXPECT_HAS(outcome.err, "begun again");
+  EXPECT_HAS(outcome.err, "interrupted before");
+  expect_as_it_was();
+  shell("timeout -s KILL 0.3 " + to_much + "0.02");
+  expect_as_it_was();
+  // With as much as there was nothing is left of it.
+  shell(to_much +
+        "0.1 & n=0; while [ -e few/run.json ] && [ $n -lt 600 ]; do sleep 0.1; n=$((n+1)); "
+        "done; sleep 0.2; kill -9 $!");
+  EXPECT_FALSE(exists("few/run.json"));
+  ASSERT_EQ(wander("render --continue -o few -b 100ms -q -t 1").exit_code, 0);
+  EXPECT_GE(numbers_in("few")["samples"].get<int>(), 200'000);
+}
+
 TEST_F(Continuing, ATimeIsThatOfTheWholeRun) {
   ASSERT_EQ(wander("render box.json -m pt -b 200ms -q -o run").exit_code, 0);
   const json before = numbers_in("run");

@@ -26,7 +26,7 @@ inline compare::Comparison make_comparison(const ComparisonPlan& plan) {
   compare::Runs runs;
   runs.provenance = {.scene_name = document.scene.name,
                      .scene_text = document.text,
-                     .scene_sha256 = document.sha256,
+                     .scene_digest = document.digest,
                      .dimension = document.scene.dimension,
                      .command_line = "wander compare " + plan.scene + " -o 'a <dir> & more'",
                      .version = program_version()};

@@ -225,6 +225,23 @@ TEST(Bridge, OfOneGroupHasNoJackknife) {
   EXPECT_TRUE(std::isnan(fit.without[0]));
 }
 
+// States that tell no spread, for there is one, or all are alike, are no more than so many draws.
+TEST(Bridge, OfFewStatesLeansOnTheSamples) {
+  const Sides sides = simulate({}, 3);
+  for (const std::size_t states : {1, 2}) {
+    std::vector<Side> few(groups);
+    for (std::size_t g = 0; g < states; ++g) few[g].add(100);
+    std::vector<BridgeGroup> data = sides.data();
+    for (std::size_t g = 0; g < groups; ++g) data[g].states = &few[g].ratios;
+    EXPECT_NEAR(bridge(data).b, sides.direct, 0.01 * sides.direct);
+    Side found, state;
+    for (int i = 0; i < 1000; ++i) found.add(1 + i % 3);
+    for (std::size_t i = 0; i < states; ++i) state.add(100);
+    const std::vector<BridgeGroup> alone{{&found.ratios, 2000, &state.ratios, 1}};
+    EXPECT_NEAR(bridge(alone).b, 1, 0.1);
+  }
+}
+
 struct Study {
   double bias = 0, rmse = 0, coverage = 0;  // of log b
   double direct_rmse = 0;

@@ -25,7 +25,7 @@ TEST(SceneFile, KeepsNamesAndLimits) {
   EXPECT_EQ(document.scene.max_vertices, 12);
   EXPECT_FALSE(document.scene.camera.has_value());
   EXPECT_EQ(document.text, everything);
-  EXPECT_EQ(document.sha256, sha256(everything));
+  EXPECT_EQ(document.digest.text, sha256(everything));
 }
 
 TEST(SceneFile, KeepsEveryMaterialInItsOrder) {
@@ -177,7 +177,7 @@ TEST(SceneFile, IsReadAsItsTextIs) {
   const auto path =
       std::filesystem::temp_directory_path() / fmt::format("wander-{}.json", getpid());
   std::ofstream(path, std::ios::binary) << everything;
-  EXPECT_EQ(read_scene_file(path).sha256, sha256(everything));
+  EXPECT_EQ(read_scene_file(path).digest.text, sha256(everything));
   std::filesystem::remove(path);
 }
 

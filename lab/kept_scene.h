@@ -1,0 +1,33 @@
+// The scene of a run or comparison that is kept, to be opened again when it goes on: its text is kept with it, the
+// meshes and textures that the text names are not.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "records/json_place.h"
+#include "scenes/format/scene_file.h"
+
+namespace wander {
+
+struct KeptScene {
+  std::string source{};  // as it was named
+  std::string
+      folder{};  // of the scene, if it names files: where it was, whatever place is the present one
+  std::string text{};
+  SceneDigest digest{};
+};
+
+KeptScene kept_scene(const SceneDocument& document, const std::string& source);
+
+// Throws SceneFileError for a scene that is not valid any more, UsageError where a file that it names has changed.
+SceneDocument reopened(const KeptScene& scene);
+
+// What makes it another scene than `asked`, in words that follow "its"; none if it is the same.
+std::optional<std::string> difference(const KeptScene& scene, const KeptScene& asked);
+
+nlohmann::ordered_json to_json(const KeptScene& scene);
+KeptScene kept_scene_from(const JsonPlace& json);
+
+}  // namespace wander
