@@ -2,6 +2,7 @@
 #include "python/binding/scene.h"
 
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
@@ -60,6 +61,7 @@ void bind_scene(nb::module_& module) {
       .def_ro("source", &BoundScene::source)
       .def_prop_ro("text", [](const BoundScene& s) { return s.document.text; })
       .def_prop_ro("sha256", [](const BoundScene& s) { return s.document.digest.text; })
+      .def_prop_ro("files", [](const BoundScene& s) { return s.document.digest.files; })
       .def_prop_ro("name", [](const BoundScene& s) { return s.document.scene.name; })
       .def_prop_ro("dimension", [](const BoundScene& s) { return s.document.scene.dimension; })
       .def_prop_ro("max_vertices",

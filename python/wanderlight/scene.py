@@ -107,6 +107,11 @@ class Scene:
         return self._bound.sha256
 
     @property
+    def files(self) -> dict[str, str]:
+        """The SHA-256 of each mesh and texture that its text names, by its path there."""
+        return self._bound.files
+
+    @property
     def text(self) -> str:
         """The scene file."""
         return self._bound.text

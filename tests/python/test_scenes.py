@@ -106,7 +106,8 @@ def test_every_part_of_space_renders():
 def test_scenes_are_pickled_with_their_meshes():
     scene = wl.load("gallery:bidir-room")
     again = pickle.loads(pickle.dumps(scene))
-    assert (again.sha256, again.source) == (scene.sha256, scene.source)
+    assert (again.sha256, again.files, again.source) == (scene.sha256, scene.files, scene.source)
+    assert [len(digest) for digest in scene.files.values()] == [64] * len(scene.files) and scene.files
 
 
 def test_dictionaries_and_gallery():
