@@ -119,8 +119,7 @@ void write_facts(Html& html, const Subject& subject, const std::string& source) 
   }
   item("scene", source);
   item("its SHA-256", runs.provenance.scene_digest.text);
-  for (const auto& [name, digest] : runs.provenance.scene_digest.files)
-    item("of " + name, digest);
+  for (const auto& [name, digest] : runs.provenance.scene_digest.files) item("of " + name, digest);
   item("reference", runs.reference.origin.empty() ? "none" : runs.reference.origin);
   item("runs",
        fmt::format("{}, {} of sampling together", runs.runs.size(), duration_in_words(seconds)));

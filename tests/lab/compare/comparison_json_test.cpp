@@ -22,7 +22,8 @@ compare::Comparison made_comparison(std::size_t replicates = 4) {
       made_runs({.replicates = replicates}, {{"mlt, large", 0.1}, {"pt", 0.3}}, random);
   runs.contenders[0].dial = "large_step";
   runs.contenders[0].setting = "0.1";
-  runs.provenance = {"room", "{}", "abc", 2, "wander compare room.json", "0.1.0"};
+  runs.provenance = {"room", "{}", {"abc", {{"tri.obj", "f00d"}}}, 2, "wander compare room.json",
+                     "0.1.0"};
   runs.warnings = {"a warning"};
   runs.runs.back().film.standard_error[2] = not_known;
   Rendering detail;
