@@ -7,7 +7,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -330,25 +329,6 @@ double parse_resolution(std::string_view what, std::string_view text) {
     throw UsageError(fmt::format(
         "{} '{}': allowed are numbers from 36 to 1200, in pixels to the inch", what, text));
   return *dpi;
-}
-
-std::string quoted_for_shell(int count, const char* const* arguments) {
-  constexpr std::string_view plain =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=./:,@%";
-  std::string line = std::filesystem::path(arguments[0]).filename().string();
-  for (int i = 1; i < count; ++i) {
-    const std::string_view word = arguments[i];
-    line += ' ';
-    if (!word.empty() && word.find_first_not_of(plain) == std::string_view::npos) {
-      line += word;
-      continue;
-    }
-    line += '\'';
-    for (const char letter : word)
-      line += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-    line += '\'';
-  }
-  return line;
 }
 
 }  // namespace wander

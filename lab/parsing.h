@@ -71,7 +71,4 @@ double parse_figure_width(std::string_view text);
 // Pixels to the inch, from 36 to 1200.
 double parse_resolution(std::string_view what, std::string_view text);
 
-// The arguments as one line that a shell reads back to the same words.
-std::string quoted_for_shell(int count, const char* const* arguments);
-
 }  // namespace wander

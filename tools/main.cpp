@@ -11,6 +11,7 @@
 
 #include "lab/failure.h"
 #include "lab/parsing.h"
+#include "lab/shell_words.h"
 #include "tools/application.h"
 #include "tools/command_line.h"
 #include "tools/console.h"

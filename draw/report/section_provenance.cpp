@@ -9,6 +9,7 @@
 #include "lab/dials.h"
 #include "lab/parsing.h"
 #include "lab/scene_source.h"
+#include "lab/shell_words.h"
 #include "lab/wording.h"
 #include "scenes/gallery_scenes.h"
 

@@ -9,6 +9,7 @@
 #include "lab/compare/schedule.h"
 #include "lab/failure.h"
 #include "lab/parsing.h"
+#include "lab/shell_words.h"
 #include "mlt/seeds/nothing_found.h"
 
 namespace wander::compare {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "lab/failure.h"
+#include "lab/shell_words.h"
 #include "lab/wording.h"
 #include "tools/progress.h"
 
