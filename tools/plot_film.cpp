@@ -101,7 +101,8 @@ std::string film_svg(const Film& first, const PlotOptions& options) {
     require_same_axes(film, first);
     labelled.push_back({label_of(film, films), film.run.rendering});
     // One drawing cannot stand for several scenes.
-    if (film.run.provenance.scene_digest != first.run.provenance.scene_digest) how.inset.reset();
+    if (!may_be_the_same(film.run.provenance.scene_digest, first.run.provenance.scene_digest))
+      how.inset.reset();
   }
   if (!options.reference.empty()) {
     const Film reference = require_film(options.reference, first);

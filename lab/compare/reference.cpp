@@ -71,10 +71,12 @@ Reference reference_from_file(const std::filesystem::path& file, const std::vect
   const FilmEstimate& film = run.rendering.film;
   if (film.value.empty() || film.shape != shape) refuse_shape(file, film, shape);
   require_sound(file, film);
-  if (run.provenance.scene_digest != scene.scene_digest)
-    warnings.push_back(fmt::format(
-        "--reference {} is of another scene file: errors are measured against that scene's film",
-        file.string()));
+  if (!may_be_the_same(run.provenance.scene_digest, scene.scene_digest))
+    warnings.push_back(
+        fmt::format("--reference {} is of another scene, by its text or by a mesh or texture: "
+                    "errors are measured "
+                    "against that scene's film",
+                    file.string()));
   if (!run.rendering.complete)
     warnings.push_back(
         fmt::format("--reference {} is of a run that was interrupted", file.string()));

@@ -6,6 +6,11 @@
 
 namespace wander {
 
+bool may_be_the_same(const SceneDigest& one, const SceneDigest& other) {
+  return one.text == other.text &&
+         (one.files.empty() || other.files.empty() || one.files == other.files);
+}
+
 std::string whole_digest(const SceneDigest& scene) {
   if (scene.files.empty()) return scene.text;
   std::string all = scene.text;

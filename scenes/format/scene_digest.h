@@ -17,6 +17,9 @@ struct SceneDigest {
   bool operator==(const SceneDigest&) const = default;
 };
 
+// As far as both tell: records of programs before this one know nothing of files.
+bool may_be_the_same(const SceneDigest& one, const SceneDigest& other);
+
 // One for all of it; where no file is named, that of the text.
 std::string whole_digest(const SceneDigest& scene);
 
