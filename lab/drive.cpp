@@ -57,6 +57,7 @@ class Drive {
     if (run_.takes_seeds() && run_.seeds().samples == 0 && execution_.is_interrupted())
       throw NothingComputed();
     if (run_.takes_seeds()) {
+      require_worth(has_all_seeds_);
       // An interrupted seed pass goes on from where it was, not from the chains that now show what
       // it found, as few as there can be.
       if (!has_all_seeds_) keep();
@@ -64,7 +65,8 @@ class Drive {
       run_.start(has_all_seeds_ ? run_.settings().chains_for(expected_steps()) : 1);
     }
     Rendering r = sampled();
-    if (has_all_seeds_ && (r.complete || is_enough_to_keep())) write();
+    require_worth(r.complete || is_enough_to_keep());
+    if (has_all_seeds_) write();
     return r;
   }
 
@@ -278,6 +280,13 @@ class Drive {
     time_of_keeping_ = execution_.seconds() - before;
   }
   bool is_enough_to_keep() const { return run_.samples() >= keeper_.least; }
+  void require_worth(bool is_worth_its_place) const {
+    if (keeper_.least > 0 && !is_worth_its_place)
+      throw NothingComputed(
+          fmt::format("there were as many samples as the {} of the run that was begun again, which "
+                      "stays as it is",
+                      keeper_.least));
+  }
   void keep() {
     if (is_enough_to_keep()) write();
   }

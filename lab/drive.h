@@ -39,12 +39,14 @@ using StateWriter = std::function<void(std::ostream&)>;
 struct Keeper {
   std::function<void(const Headway&, const StateWriter&)> keep{};  // may be empty
   double first = 0, every = 0;                                     // 0: only at the end
-  std::uint64_t least = 0;  // samples: a run of fewer is kept only once it has come to its end
+  // Samples of a run that stays in its place until this one has as many, or has come to its end.
+  std::uint64_t least = 0;
 };
 
 // A small budget makes fewer chains, so that it can be met exactly.
 ChainSettings fitted(ChainSettings settings, const Budget& budget);
 
+// Throws NothingComputed where it is interrupted before it is worth its place (Keeper::least).
 // `execution` is what the run was made with.  At the end, interrupted or not, the run is kept once
 // more, so that it can be carried on with the bits of one that never stopped.
 Rendering drive(LiveRun& run, Run& execution, const Headway& begin = {}, const Keeper& keeper = {});

@@ -17,15 +17,20 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_there(const std::string& folder) {
+// Where it was; none if it is not to be had there any more.
+std::optional<SceneDocument> in_its_folder(const KeptScene& scene) {
   std::error_code problem;
-  return !folder.empty() && fs::is_directory(folder, problem);
+  if (scene.folder.empty() || !fs::is_directory(scene.folder, problem)) return {};
+  try {
+    return parse_scene(scene.text, shown_name(scene.source), files_in(scene.folder));
+  } catch (const SceneFileError&) {
+    return {};
+  }
 }
 
-SceneDocument parsed(const KeptScene& scene) {
+// Where its name leads from here.
+SceneDocument in_this_place(const KeptScene& scene) {
   try {
-    if (is_there(scene.folder))
-      return parse_scene(scene.text, shown_name(scene.source), files_in(scene.folder));
     return reopen_scene(scene.text, scene.source);
   } catch (const SceneFileError& problem) {
     if (scene.folder.empty()) throw;
@@ -42,13 +47,14 @@ KeptScene kept_scene(const SceneDocument& document, const std::string& source) {
   KeptScene scene{.source = source, .text = document.text, .digest = document.digest};
   if (is_scene(source) || document.digest.files.empty()) return scene;
   std::error_code problem;
-  const fs::path file = fs::absolute(source, problem);
-  if (!problem) scene.folder = file.parent_path().lexically_normal().string();
+  const fs::path folder = fs::weakly_canonical(fs::absolute(source).parent_path(), problem);
+  if (!problem) scene.folder = folder.string();
   return scene;
 }
 
 SceneDocument reopened(const KeptScene& scene) {
-  SceneDocument document = parsed(scene);
+  std::optional<SceneDocument> found = in_its_folder(scene);
+  SceneDocument document = found ? *std::move(found) : in_this_place(scene);
   if (const auto changed = changed_files(scene.digest, document.digest); !changed.empty())
     throw UsageError(fmt::format(
         "{}: what it names is not what it was: {}; put it back, or compute the new scene anew",

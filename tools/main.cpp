@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "lab/failure.h"
-#include "lab/parsing.h"
 #include "lab/shell_words.h"
 #include "tools/application.h"
 #include "tools/command_line.h"

@@ -70,7 +70,8 @@ ExitCode merge_runs(const MergeTask& task, const Global& global) {
   Session session;
   session.threads = global.threads;
   RunRecord run{merge(job, task.parts, session), provenance_of(document, global.command_line)};
-  const std::vector<std::string> doubts = scene_warnings(document, first.scene.source);
+  const std::vector<std::string> doubts =
+      scene_warnings(document, task.scene.empty() ? first.scene.source : task.scene);
   run.rendering.warnings.insert(run.rendering.warnings.begin(), doubts.begin(), doubts.end());
   if (directory) {
     write_run(run, job.scene(), directory->path());

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "lab/engine.h"
-#include "lab/failure.h"
 #include "lab/held_run.h"
 #include "lab/memory_need.h"
 #include "lab/parsing.h"
@@ -56,26 +55,20 @@ Keeper keeper_in(RunDirectory& directory, const RenderOptions& options, const Re
   return directory.keeper(std::move(keeper), task.run);
 }
 
-// What was there is more than a beginning of what was to take its place.
-void require_more_than_before(const RenderTask& task, const Rendering& rendering,
-                              const std::filesystem::path& directory) {
-  if (rendering.complete || rendering.samples >= task.samples_before.value_or(0)) return;
-  throw CommandFailure(
-      ExitCode::interrupted,
-      fmt::format("interrupted before the run that was begun again had the {} samples of that in "
-                  "{}, which stays as it is",
-                  *task.samples_before, directory.string()));
-}
-
-void tell_where_it_goes_on(const RenderTask& task) {
+void tell_where_it_goes_on(const RenderOptions& options, const RenderTask& task) {
+  const std::string& budget = options.budget.empty() ? task.run.budget : options.budget;
+  if (task.has_enough)
+    return print_note(
+        fmt::format("  nothing to do: {} asks for no more than the {} samples of the run\n", budget,
+                    task.run.run.headway.samples));
   if (task.is_begun_again())
     return print_note(fmt::format(
         "  begun again, to {}: what so few steps had planned is no plan for more; the run "
         "that is there stays until there is as much of the new one\n",
-        task.run.budget));
+        budget));
   const bool has_chains = task.job.method().is_markov_chain();
-  print_note(fmt::format("  carried on from {} samples, to {}\n", task.run.run.headway.samples,
-                         task.run.budget));
+  print_note(
+      fmt::format("  carried on from {} samples, to {}\n", task.run.run.headway.samples, budget));
   if (has_chains && task.is_new_budget && task.run.run.headway.samples > 0)
     print_note("  the seed pass and the number of chains stay as the run has them\n");
 }
@@ -98,14 +91,13 @@ ExitCode render_scene(const RenderOptions& options, const RenderTask& task, cons
     directory.emplace(global.out, global, beginning_of(options, task));
     keeper = keeper_in(*directory, options, task);
   }
-  if (options.is_continuation && !global.quiet) tell_where_it_goes_on(task);
+  if (options.is_continuation && !global.quiet) tell_where_it_goes_on(options, task);
   tell_memory(task, global);
 
   const RunRecord run{rendering_of(task, keeper, global),
                       provenance_of(task.document, global.command_line)};
 
   if (directory) {
-    require_more_than_before(task, run.rendering, directory->path());
     directory->save(run, task.job.scene(), options.exposure.value_or(0));
     spdlog::debug("wrote the film and run.json");
   }

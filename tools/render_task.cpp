@@ -8,8 +8,8 @@
 
 #include "core/film_statistics.h"
 #include "lab/failure.h"
-#include "lab/few_steps.h"
 #include "lab/merge.h"
+#include "lab/onward.h"
 #include "lab/parsing.h"
 #include "lab/scene_source.h"
 #include "records/run_json.h"
@@ -117,22 +117,29 @@ void require_not_merged(const std::filesystem::path& directory) {
 }
 
 double error_of_film_in(const std::filesystem::path& directory) {
-  try {
-    return relative_error(read_run(directory).rendering.film);
-  } catch (const RunFileError&) {
-    return not_known;
-  }
+  const auto run = find_run(directory);
+  return run ? relative_error(run->rendering.film) : not_known;
 }
 
 // To another budget than that of the run.
 void aim_further(RenderTask& task, const std::string& text,
                  const std::filesystem::path& directory) {
   Checkpoint& run = task.run;
-  if (is_of_few_steps(parse_budget(run.budget), task.job)) {
-    if (!asks_for_more(task.budget, run.run.headway, [&] { return error_of_film_in(directory); }))
+  const auto error = [&] { return error_of_film_in(directory); };
+  const Headway& done = run.run.headway;
+  switch (onward(parse_budget(run.budget), task.budget, done, error, task.job)) {
+    case Onward::as_planned:
       return;
-    task.samples_before = run.run.headway.samples;
-    run.run = {};
+    case Onward::enough:
+      task.budget = SampleBudget{done.samples};
+      task.has_enough = true;
+      return;
+    case Onward::begun_again:
+      task.samples_before = done.samples;
+      run.run = {};
+      break;
+    case Onward::further:
+      break;
   }
   task.is_new_budget = true;
   run.budget = text;
@@ -148,7 +155,8 @@ RenderTask continued(const RenderOptions& options, const Global& global) {
         fmt::format("the run in {} is another: {}; leave these out to carry it on, or choose "
                     "another place for a new run",
                     global.out.string(), fmt::join(found, "; ")));
-  const bool is_new_budget = !options.budget.empty() && options.budget != run.budget;
+  const bool is_new_budget = !options.budget.empty() &&
+                             !are_the_same(parse_budget(options.budget), parse_budget(run.budget));
   const std::string text = is_new_budget ? options.budget : run.budget;
   require_not_beyond(run, parse_budget(text), text);
   if (!scene) scene = reopened(run.scene);

@@ -32,6 +32,7 @@ struct RenderTask {
   SceneDocument document;
   Job job;
   Budget budget;
+  bool has_enough = false;     // the run, of what is asked for
   bool is_new_budget = false;  // another than that of the run that is carried on
   // Of that run, if it is begun again, for what it had planned is no plan for this budget.
   std::optional<std::uint64_t> samples_before{};

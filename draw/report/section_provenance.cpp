@@ -7,7 +7,6 @@
 #include "draw/report/sections.h"
 #include "draw/report/table.h"
 #include "lab/dials.h"
-#include "lab/parsing.h"
 #include "lab/scene_source.h"
 #include "lab/shell_words.h"
 #include "lab/wording.h"

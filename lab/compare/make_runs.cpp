@@ -8,7 +8,6 @@
 #include "lab/compare/film_loan.h"
 #include "lab/compare/schedule.h"
 #include "lab/failure.h"
-#include "lab/parsing.h"
 #include "lab/shell_words.h"
 #include "mlt/seeds/nothing_found.h"
 

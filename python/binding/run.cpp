@@ -18,8 +18,8 @@
 #include "core/film_statistics.h"
 #include "lab/checkpoint.h"
 #include "lab/failure.h"
-#include "lab/few_steps.h"
 #include "lab/held_run.h"
+#include "lab/onward.h"
 #include "lab/parsing.h"
 #include "lab/run_warnings.h"
 #include "lab/scene_source.h"
@@ -72,7 +72,7 @@ class BoundRun {
     const Alone alone(is_going_on_);
     Listening listening(std::move(progress));
     Rest resting(rest);
-    const Session session{.budget = parse_budget(budget),
+    const Session session{.budget = aimed_at(budget),
                           .seed = request_.seed,
                           .threads = threads,
                           .interrupted = &listening.is_stopped(),
@@ -80,7 +80,6 @@ class BoundRun {
                             listening.tell(report);
                             if (resting.is_due(report)) listening.stop();
                           }};
-    to_budget(budget);
     BoundRecord made;
     try {
       listening.carry_out([&] { made = computed(session); });
@@ -124,18 +123,31 @@ class BoundRun {
     std::atomic<bool>& taken_;
   };
 
-  void to_budget(const std::string& budget) {
-    if (!budget_.empty() && budget != budget_ &&
-        is_of_few_steps(parse_budget(budget_), request_.job())) {
-      const auto error = [this] {
-        return record_.run ? relative_error(record_.run->rendering.film) : not_known;
-      };
-      const Headway& done = run_ ? run_->headway() : from_.headway;
-      if (!asks_for_more(parse_budget(budget), done, error)) return;
-      run_.reset();
-      from_ = {};
+  // What is left of such a budget for the run, of which it counts all.
+  Budget aimed_at(const std::string& text) {
+    Budget budget = parse_budget(text);
+    const Headway done = run_ ? run_->headway() : from_.headway;
+    const auto error = [this] {
+      return record_.run ? relative_error(record_.run->rendering.film) : not_known;
+    };
+    const auto* count = std::get_if<SampleBudget>(&budget);
+    if (count && count->samples < done.samples) return SampleBudget{done.samples};
+    if (!budget_.empty() && !are_the_same(budget, parse_budget(budget_))) {
+      switch (onward(parse_budget(budget_), budget, done, error, request_.job())) {
+        case Onward::as_planned:
+          return budget;
+        case Onward::enough:
+          return SampleBudget{done.samples};
+        case Onward::begun_again:
+          run_.reset();
+          from_ = {};
+          break;
+        case Onward::further:
+          break;
+      }
     }
-    budget_ = budget;
+    budget_ = text;
+    return budget;
   }
   BoundRecord computed(const Session& session) {
     if (!run_) {

@@ -130,9 +130,14 @@ SceneDocument parse_scene(std::string text, std::string_view name, const SceneFi
   if (!found.faults.empty()) throw SceneFileError(file, std::move(found.faults));
   result.warnings = std::move(found.warnings);
   result.digest.text = sha256(text);
-  if (files.digest)
-    for (const auto& named : {meshes.files(), textures.files()})
-      for (const std::string& one : named) result.digest.files[one] = files.digest(one);
+  try {
+    if (files.digest)
+      for (const auto& named : {meshes.files(), textures.files()})
+        for (const std::string& one : named) result.digest.files[one] = files.digest(one);
+  } catch (const std::runtime_error& problem) {
+    refuse(file,
+           fmt::format("a file that it names changed while it was read ({})", problem.what()));
+  }
   result.text = std::move(text);
   return result;
 }

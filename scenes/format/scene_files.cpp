@@ -35,7 +35,9 @@ SceneFiles files_in(const fs::path& folder) {
           [folder](const std::string& file) {
             return read_texture(path_of<TextureFileError>(file, folder, "texture"));
           },
-          [folder](const std::string& file) { return sha256_of_file(folder / file); }};
+          [folder](const std::string& file) {
+            return sha256_of_file(path_of<std::runtime_error>(file, folder, "mesh"));
+          }};
 }
 
 Triangles no_mesh(const std::string&, MeshWants) {

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include <fmt/format.h>
+
 #include "tests/tools/killed_runs.h"
 
 namespace wander::test {
@@ -75,45 +77,67 @@ TEST_F(Continuing, ThePlanOfFewStepsIsNotCarriedOnToMany) {
   EXPECT_LACKS(wander("render --continue -o few -b 5k").err, "begun again");
 }
 
-// Nothing is lost to a budget that asks for no more than there is.
+// Nothing is lost to a budget that asks for no more than there is, nor does one that is met go beyond it.
 TEST_F(Continuing, ThePlanOfFewStepsStaysWhereNothingIsLeftToDo) {
-  ASSERT_EQ(wander("render box.json -m mlt -b 50k -q -o few").exit_code, 0);
-  const json before = numbers_in("few");
-  for (const char* budget : {"1ms", "0.001cpu-s", "error<50%", "50000"}) {
-    SCOPED_TRACE(budget);
-    const Outcome outcome = wander(std::string("render --continue -o few -b '") + budget + "'");
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_LACKS(outcome.err, "begun again");
-    EXPECT_EQ(numbers_in("few")["samples"], before["samples"]);
-    EXPECT_EQ(numbers_in("few")["film"], before["film"]);
+  for (const char* steps : {"2k", "50k"}) {
+    ASSERT_EQ(wander(std::string("render box.json -m mlt -q --force -o few -b ") + steps).exit_code,
+              0);
+    const json before = numbers_in("few");
+    for (const char* budget : {"1ms", "0.001cpu-s", "error<90%"}) {
+      SCOPED_TRACE(std::string(steps) + " " + budget);
+      const Outcome outcome = wander(std::string("render --continue -o few -b '") + budget + "'");
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+      EXPECT_HAS(outcome.err, "nothing to do: ");
+      EXPECT_EQ(numbers_in("few")["film"], before["film"]);
+      const Outcome plain = wander("render --continue -o few");
+      EXPECT_EQ(plain.exit_code, 0) << plain.err;
+      EXPECT_EQ(numbers_in("few")["samples"], before["samples"]);
+    }
   }
 }
 
-// Nor to one that begins again and does not come as far as the run was.
+TEST_F(Continuing, ABudgetIsTheSameHoweverItIsWritten) {
+  shell(
+      "timeout -s KILL 1.5 \"$WANDER\" render gallery:slit -m mlt -b 520k -t 1 -q -o cut "
+      "--checkpoint 0.05");
+  ASSERT_TRUE(exists("cut/checkpoint"));
+  EXPECT_LACKS(wander("render --continue -o cut -b 520000").err, "begun again");
+  ASSERT_EQ(wander("render gallery:slit -m mlt -b 520k -q -o whole").exit_code, 0);
+  EXPECT_EQ(numbers_in("cut"), numbers_in("whole"));
+}
+
+// Nor to one that begins again and is stopped before it has come as far as the run was, whatever it is at: its pilot, its
+// seeds, of which what it would show is more than 50 k steps, or its steps.
 TEST_F(Continuing, WhatIsBegunAgainTakesTheOldRunsPlaceWhenThereIsAsMuch) {
-  ASSERT_EQ(wander("render gallery:slit -m mlt -b 200k -q -t 1 -o few").exit_code, 0);
   const auto file = [&](const char* name) { return contents(folder / "few" / name); };
-  const std::string run = file("run.json"), film = file("film.exr"),
-                    checkpoint = file("checkpoint");
-  const auto expect_as_it_was = [&] {
-    EXPECT_EQ(file("run.json"), run);
-    EXPECT_TRUE(file("film.exr") == film && file("checkpoint") == checkpoint);
-  };
-  const std::string to_much = "\"$WANDER\" render --continue -o few -b 3h -t 1 --checkpoint ";
-  const Outcome outcome = shell("timeout --preserve-status -s INT 0.3 " + to_much + "60");
-  EXPECT_EQ(outcome.exit_code, 130);
-  EXPECT_HAS(outcome.err, "begun again");
-  EXPECT_HAS(outcome.err, "interrupted before");
-  expect_as_it_was();
-  shell("timeout -s KILL 0.3 " + to_much + "0.02");
-  expect_as_it_was();
-  // With as much as there was nothing is left of it.
-  shell(to_much +
-        "0.1 & n=0; while [ -e few/run.json ] && [ $n -lt 600 ]; do sleep 0.1; n=$((n+1)); "
-        "done; sleep 0.2; kill -9 $!");
-  EXPECT_FALSE(exists("few/run.json"));
-  ASSERT_EQ(wander("render --continue -o few -b 100ms -q -t 1").exit_code, 0);
-  EXPECT_GE(numbers_in("few")["samples"].get<int>(), 200'000);
+  int stays = 0;
+  for (const int steps : {50'000, 400'000}) {
+    ASSERT_EQ(
+        wander("render gallery:slit -m mlt -q -t 1 --force -o old -b " + std::to_string(steps))
+            .exit_code,
+        0);
+    for (const char* stop : {"INT 0.1", "INT 0.2", "INT 0.3", "INT 0.4", "INT 0.6", "KILL 0.2",
+                             "KILL 0.4", "KILL 0.8"}) {
+      SCOPED_TRACE(fmt::format("{} of {}", stop, steps));
+      shell("rm -rf few; cp -r old few");
+      const std::string checkpoint = file("checkpoint"), film = file("film.exr");
+      const Outcome outcome =
+          shell(fmt::format("timeout --preserve-status -s {} \"$WANDER\" render --continue -o few "
+                            "-b 40M -t 1 --checkpoint 0.02",
+                            stop));
+      EXPECT_TRUE(outcome.exit_code == 130 || outcome.exit_code == 137) << outcome.err;
+      if (file("checkpoint") == checkpoint) {
+        ++stays;
+        EXPECT_TRUE(file("film.exr") == film) << "or the old one beside its checkpoint";
+        if (outcome.exit_code == 130) EXPECT_HAS(outcome.err, "interrupted before ");
+        continue;
+      }
+      EXPECT_FALSE(file("film.exr") == film);
+      ASSERT_EQ(wander("render --continue -o few -b 1ms -q -t 1").exit_code, 0);
+      EXPECT_GE(numbers_in("few")["samples"].get<int>(), steps);
+    }
+  }
+  EXPECT_GT(stays, 4);
 }
 
 TEST_F(Continuing, ATimeIsThatOfTheWholeRun) {

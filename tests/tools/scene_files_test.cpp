@@ -2,6 +2,7 @@
 // they move it can be found.
 #include <nlohmann/json.hpp>
 
+#include "records/run_json.h"
 #include "tests/tools/command_line.h"
 
 namespace wander::test {
@@ -19,7 +20,7 @@ constexpr const char* scene = R"({
               "fov_deg": 60, "resolution": [4,3] }
 })";
 constexpr const char* large = "v -3 -3 0\nv 3 -3 0\nv 0 3 0\nf 1 2 3\n";
-constexpr const char* small = "v -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\n";
+constexpr const char* small = "v -0.3 -0.3 0\nv 0.3 -0.3 0\nv 0 0.3 0\nf 1 2 3\n";
 
 class SceneFiles : public CommandLine {
  protected:
@@ -81,8 +82,20 @@ TEST_F(SceneFiles, AreFoundFromAnotherFolder) {
   };
   EXPECT_EQ(elsewhere("merge ../a ../b -q -o there").exit_code, 0);
   EXPECT_EQ(elsewhere("render --continue -o ../a -b 3k -q").exit_code, 0);
-  EXPECT_EQ(contents(folder / "here/film.nc").size(),
-            contents(folder / "far/there/film.nc").size());
+  const auto film = [&](const char* run) { return read_run(folder / run).rendering.film.value; };
+  EXPECT_EQ(film("here"), film("far/there"));
+}
+
+// Whatever its path goes through.
+TEST_F(SceneFiles, MayBeNamedInARoundaboutWay) {
+  change("scene.json",
+         [](std::string& text) { text.replace(text.find("tri.obj"), 7, "gone/../tri.obj"); });
+  fs::create_directories(folder / "real/d");
+  fs::create_directory_symlink(folder / "real/d", folder / "link");
+  fs::rename(folder / "scene.json", folder / "real/scene.json");
+  fs::rename(folder / "tri.obj", folder / "real/tri.obj");
+  ASSERT_EQ(wander("render link/../scene.json -m bdpt -b 2k -q -o run").exit_code, 0);
+  EXPECT_EQ(wander("render --continue -o run -b 4k -q").exit_code, 0);
 }
 
 TEST_F(SceneFiles, ThatHaveMovedAreToBeNamed) {
@@ -118,7 +131,7 @@ TEST_F(SceneFiles, HaveReferencesOfTheirOwn) {
   EXPECT_LT(compare("first"), 0.2);
   write("tri.obj", small);
   EXPECT_LT(compare("second"), 0.2)
-      << "beside a film of the large triangle a third of it is missing";
+      << "beside a film of the large triangle most of it is missing";
   expect_refused("compare --continue -o first --replicates 3",
                  {"scene.json: what it names is not what it was"});
 }
