@@ -129,7 +129,9 @@ TEST_F(Continuing, WhatIsBegunAgainTakesTheOldRunsPlaceWhenThereIsAsMuch) {
       if (file("checkpoint") == checkpoint) {
         ++stays;
         EXPECT_TRUE(file("film.exr") == film) << "or the old one beside its checkpoint";
-        if (outcome.exit_code == 130) EXPECT_HAS(outcome.err, "interrupted before ");
+        if (outcome.exit_code == 130) {
+          EXPECT_HAS(outcome.err, "interrupted before ");
+        }
         continue;
       }
       EXPECT_FALSE(file("film.exr") == film);
