@@ -95,6 +95,37 @@ TEST_P(HeldRuns, TakeALargerBudgetAsACarriedOnRunDoes) {
   expect_same(go_on(run, session()), carry_on(kept, job(), session(), {}));
 }
 
+// Where another stays until then, which is not lost to the beginning of this.
+TEST_P(HeldRuns, AreKeptOnceTheyAreWorthTheirPlace) {
+  int kept = 0;
+  Keeper keeper{
+      .keep = [&](const Headway&, const StateWriter&) { ++kept; }, .every = 1e-9, .least = 99'000};
+  const bool has_seeds = job().method().is_markov_chain();
+  for (const char* phase : {"seed pass", "sampling"}) {
+    if (phase == std::string_view("seed pass") && !has_seeds) continue;
+    SCOPED_TRACE(phase);
+    HeldRun run(job(), session());
+    interrupted_ = false;
+    try {
+      run.go_on(stopping_in(phase), keeper);
+      ADD_FAILURE() << "it went on";
+    } catch (const NothingComputed& problem) {
+      EXPECT_STREQ(problem.what(),
+                   "interrupted before there were as many samples as the 99000 of the run that was "
+                   "begun again, which stays as it is");
+    }
+    EXPECT_EQ(kept, 0);
+  }
+  interrupted_ = false;
+  keeper.least = 1'000'000;  // but this one comes to its end
+  EXPECT_TRUE(HeldRun(job(), session()).go_on(session(), keeper).complete);
+  EXPECT_EQ(kept, 1);
+  kept = 0;
+  keeper.least = 1;
+  EXPECT_FALSE(HeldRun(job(), session()).go_on(stopping_in("sampling"), keeper).complete);
+  EXPECT_GT(kept, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Methods, HeldRuns, testing::Values("bdpt", "mlt", "pssmlt", "mmlt"),
                          [](const auto& each) { return std::string(each.param); });
 
