@@ -123,8 +123,10 @@ TEST_F(SceneFiles, HaveReferencesOfTheirOwn) {
         "--replicates 2 -q -o " +
         out);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json comparison = json::parse(contents(folder / out / "compare.json"));
+    EXPECT_EQ(comparison["cells"].size(), 2u);
     double worst = 0;
-    for (const json& cell : json::parse(contents(folder / out / "compare.json"))["cells"])
+    for (const json& cell : comparison["cells"])
       worst = std::max(worst, cell["relative_rmse"]["value"].get<double>());
     return worst;
   };
