@@ -132,8 +132,7 @@ TEST_F(SceneFiles, HaveReferencesOfTheirOwn) {
   };
   EXPECT_LT(compare("first"), 0.2);
   write("tri.obj", small);
-  EXPECT_LT(compare("second"), 0.2)
-      << "beside a film of the large triangle most of it is missing";
+  EXPECT_LT(compare("second"), 0.2) << "beside a film of the large triangle most of it is missing";
   expect_refused("compare --continue -o first --replicates 3",
                  {"scene.json: what it names is not what it was"});
 }
