@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lab/failure.h"
+#include "lab/onward.h"
 #include "lab/parsing.h"
 
 namespace wander::compare {
@@ -46,7 +47,7 @@ std::vector<NamedBudget> parse_budgets(std::string_view text) {
 
 bool are_the_same(const std::vector<NamedBudget>& a, const std::vector<NamedBudget>& b) {
   return std::ranges::equal(a, b, [](const NamedBudget& x, const NamedBudget& y) {
-    return are_alike(x.budget, y.budget) && effort_of(x.budget) == effort_of(y.budget);
+    return wander::are_the_same(x.budget, y.budget);
   });
 }
 

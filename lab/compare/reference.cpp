@@ -74,8 +74,7 @@ Reference reference_from_file(const std::filesystem::path& file, const std::vect
   if (!may_be_the_same(run.provenance.scene_digest, scene.scene_digest))
     warnings.push_back(
         fmt::format("--reference {} is of another scene, by its text or by a mesh or texture: "
-                    "errors are measured "
-                    "against that scene's film",
+                    "errors are measured against that scene's film",
                     file.string()));
   if (!run.rendering.complete)
     warnings.push_back(
