@@ -48,6 +48,7 @@ Rendering carry_on(const KeptRun& from, const Job& job, const Session& session,
 Rendering merge(const Job& job, std::span<const StoredRun> runs, const Session& session) {
   Rendering rendering = engine_of(job).merge(job, runs, session);
   rendering.precision = name_of(job.dials().precision);
+  rendering.max_vertices = job.scene().max_vertices;
   return rendering;
 }
 

@@ -41,6 +41,7 @@ Rendering HeldRun::go_on(const Session& session, const Keeper& keeper) {
   begun_.reset();
   Rendering rendering = run_->go_on(begun, keeper);
   rendering.precision = name_of(job_->dials().precision);
+  rendering.max_vertices = job_->scene().max_vertices;
   return rendering;
 }
 

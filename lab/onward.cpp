@@ -35,13 +35,4 @@ Onward onward(const Budget& planned, const Budget& next, const Headway& done,
   return done.samples > 0 && is_met(next, done, error) ? Onward::enough : Onward::begun_again;
 }
 
-bool are_the_same(const Budget& a, const Budget& b) {
-  if (a.index() != b.index() || time_kind_of(a) != time_kind_of(b)) return false;
-  if (const auto* count = std::get_if<SampleBudget>(&a))
-    return count->samples == std::get<SampleBudget>(b).samples;
-  if (const auto* time = std::get_if<TimeBudget>(&a))
-    return time->seconds == std::get<TimeBudget>(b).seconds;
-  return std::get<ErrorBudget>(a).relative == std::get<ErrorBudget>(b).relative;
-}
-
 }  // namespace wander

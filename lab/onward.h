@@ -23,7 +23,4 @@ enum class Onward {
 Onward onward(const Budget& planned, const Budget& next, const Headway& done,
               const std::function<double()>& error, const Job& job);
 
-// However they are written.
-bool are_the_same(const Budget& a, const Budget& b);
-
 }  // namespace wander

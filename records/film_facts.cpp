@@ -74,6 +74,7 @@ FilmFacts facts_of(const RunRecord& run) {
     facts[field.name] = provenance.origin.*field.member;
   if (!provenance.scene_digest.files.empty())
     facts["scene_files"] = scene_files_text(provenance.scene_digest);
+  if (rendering.max_vertices > 0) facts["max_vertices"] = rendering.max_vertices;
   if (!rendering.merged.empty()) facts["merged_seeds"] = seeds_of(rendering.merged);
   if (const auto& b = rendering.normalization) {
     facts["normalization"] = b->value;
@@ -90,6 +91,7 @@ RunRecord run_of(const FilmFacts& facts) {
   rendering.samples = count_in(facts, "samples");
   rendering.seed = count_in(facts, "seed");
   rendering.processor_seconds = rendering.seconds = rendering.seed_seconds = not_known;
+  if (facts.contains("max_vertices")) rendering.max_vertices = fact_in<int>(facts, "max_vertices");
   rendering.film.degrees_of_freedom = fact_in<double>(facts, "degrees_of_freedom");
   if (facts.contains("normalization")) {
     rendering.normalization.emplace();

@@ -3,7 +3,7 @@
 //
 //   scene, scene_name, scene_sha256, scene_files (scene_record.h), command_line, wanderlight_version,
 //   the origin (origin.h), method, seed, merged_seeds, samples, complete    texts
-//   dimension                                        a whole number
+//   dimension, max_vertices where it is known        whole numbers
 //   degrees_of_freedom, and for Markov chain methods
 //   normalization, normalization_standard_error      numbers
 #pragma once

@@ -50,6 +50,7 @@ struct Rendering {
   double processor_seconds = 0;  // of all threads in that time
   double seed_seconds = 0;       // wall time until the end of the seed pass
   std::string precision = "double";
+  int max_vertices = 0;  // of its paths, both ends counted; 0: that is not known
   FilmEstimate film;
   std::optional<Adaptation> adaptation{};  // if the kernel is; of several runs, of the first
   std::optional<PoolingRecord> pooling{};  // if the film is pooled

@@ -226,6 +226,7 @@ ordered_json to_json(const RunRecord& run, ordered_json film) {
   json["cpu_seconds"] = json_of(rendering.processor_seconds);
   json["seed_seconds"] = json_of(rendering.seed_seconds);
   json["precision"] = rendering.precision;
+  if (rendering.max_vertices > 0) json["max_vertices"] = rendering.max_vertices;
   json["film"] = std::move(film);
   if (rendering.adaptation) json["adaptation"] = json_of(*rendering.adaptation);
   if (rendering.pooling && rendering.pooling->samples > 0)

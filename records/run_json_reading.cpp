@@ -150,6 +150,7 @@ Rendering rendering_from(const JsonPlace& json) {
   rendering.processor_seconds = json.number_if("cpu_seconds");
   rendering.seed_seconds = json.at("seed_seconds").number();
   rendering.precision = json.at("precision");
+  rendering.max_vertices = json.value("max_vertices", 0);
   const JsonPlace film = json.at("film");
   rendering.film = film_from(film);
   if (const auto chains = film.find("chains"))

@@ -21,11 +21,13 @@ namespace fs = std::filesystem;
 std::optional<Reference> known_reference(const SceneDocument& document, const std::string& wanted,
                                          const Provenance& provenance,
                                          std::vector<std::string>& warnings) {
-  if (wanted != "auto")
-    return reference_from_file(wanted, film_shape(document.scene), provenance, warnings);
+  if (wanted != "auto") return reference_from_file(wanted, document.scene, provenance, warnings);
   std::string why;
   auto exact = exact_reference(document.scene, why);
-  if (!exact) spdlog::debug("no exact film: {}", why);
+  if (exact)
+    exact->max_vertices = document.scene.max_vertices;
+  else
+    spdlog::debug("no exact film: {}", why);
   return exact;
 }
 
@@ -76,6 +78,7 @@ void sample_reference(CompareTask& task, LongPlan long_plan, const ReferenceCach
                       Course& course, Runs& runs) {
   runs.reference = make_reference(task.plan, std::move(long_plan), cache, course,
                                   film_shape(task.document.scene), runs);
+  runs.reference.max_vertices = task.document.scene.max_vertices;
   if (runs.complete) task.kept.keep({runs.reference, runs.warnings});
 }
 

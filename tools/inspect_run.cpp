@@ -142,6 +142,9 @@ ordered_json compare_runs(const RunRecord& run, const RunRecord& reference) {
             {"command_line", reference.provenance.command_line}}},
           {"same_scene",
            may_be_the_same(run.provenance.scene_digest, reference.provenance.scene_digest)},
+          {"other_lengths", has_other_lengths(reference.rendering, run.rendering.max_vertices)
+                                ? words_of_lengths(reference.rendering, run.rendering.max_vertices)
+                                : ""},
           {"may_share_samples", may_share_samples(run.rendering, reference.rendering)},
           {"relative_rmse", finite_or_null(comparison.relative_rmse)},
           {"bins", comparison.bins},
@@ -155,6 +158,9 @@ std::string text_of_comparison(const ordered_json& comparison) {
                                  comparison["reference"]["name"].get<std::string>());
   if (!comparison["same_scene"].get<bool>())
     text += "  warning         the reference is of another scene file\n";
+  if (const auto& lengths = comparison["other_lengths"].get_ref<const std::string&>();
+      !lengths.empty())
+    text += fmt::format("  warning         the reference has {}\n", lengths);
   if (comparison["may_share_samples"].get<bool>())
     text += fmt::format("  warning         {}\n", doubt_of_one_seed);
   text += fmt::format("  relative RMSE   {}\n", share(comparison["relative_rmse"]));

@@ -77,9 +77,14 @@ std::string label_of(const Film& film, const std::vector<Film>& films) {
 }
 
 figure::LabelledFilm reference_film(const Film& film, std::span<const Film> others) {
-  for (const Film& other : others)
-    if (may_share_samples(other.run.rendering, film.run.rendering))
+  for (const Film& other : others) {
+    const Rendering &run = other.run.rendering, &reference = film.run.rendering;
+    if (may_share_samples(run, reference))
       spdlog::warn("{} and its reference {}: {}", other.path, film.path, doubt_of_one_seed);
+    if (has_other_lengths(reference, run.max_vertices))
+      spdlog::warn("{} and its reference {}: the reference has {}", other.path, film.path,
+                   words_of_lengths(reference, run.max_vertices));
+  }
   return {name_of_reference(film.run.rendering), film.run.rendering};
 }
 

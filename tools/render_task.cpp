@@ -155,8 +155,8 @@ RenderTask continued(const RenderOptions& options, const Global& global) {
         fmt::format("the run in {} is another: {}; leave these out to carry it on, or choose "
                     "another place for a new run",
                     global.out.string(), fmt::join(found, "; ")));
-  const bool is_new_budget = !options.budget.empty() &&
-                             !are_the_same(parse_budget(options.budget), parse_budget(run.budget));
+  const bool is_new_budget =
+      !options.budget.empty() && parse_budget(options.budget) != parse_budget(run.budget);
   const std::string text = is_new_budget ? options.budget : run.budget;
   require_not_beyond(run, parse_budget(text), text);
   if (!scene) scene = reopened(run.scene);

@@ -12,18 +12,25 @@
 
 namespace wander {
 
+// Budgets are the same however they were written.
 struct SampleBudget {
   std::uint64_t samples;
+
+  bool operator==(const SampleBudget&) const = default;
 };
 // From the building of the scene to the last number: seed pass, chains, error bars and diagnostics
 // included.
 struct TimeBudget {
   double seconds;
   TimeKind kind = TimeKind::wall;
+
+  bool operator==(const TimeBudget&) const = default;
 };
 // Until √(Σ se² / Σ value²) of the film falls below it.
 struct ErrorBudget {
   double relative;
+
+  bool operator==(const ErrorBudget&) const = default;
 };
 using Budget = std::variant<SampleBudget, TimeBudget, ErrorBudget>;
 

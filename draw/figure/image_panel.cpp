@@ -16,6 +16,7 @@ constexpr std::size_t enough_across = 1024;  // pixels of the longer side
 constexpr Rgb not_known_colour{0xb0, 0xb0, 0xb0};
 // Labels at the ends of a scale stand out by the inset.
 constexpr double gap = 18, inset = 4, most_height = 330;
+constexpr double narrowest_scale = 110;
 
 std::vector<std::string> lines_of(const ImagePanel& panel, double width) {
   std::vector<std::string> lines;
@@ -110,7 +111,8 @@ double PanelSize::height() const {
 PanelSize panel_size(const ImagePanel& panel, double width, double most_height) {
   const double height = std::min(width * panel.aspect, most_height);
   const Vector image{height / panel.aspect, height};
-  return {image, lines_of(panel, width).size(), title_lines(panel.axis({0, image.x})).size()};
+  const double scale = std::max(image.x, std::min(width, narrowest_scale));
+  return {image, scale, lines_of(panel, width).size(), title_lines(panel.axis({0, scale})).size()};
 }
 
 void draw_panel(Svg& svg, const ImagePanel& panel, const PanelSize& size, Vector top_left,
@@ -123,7 +125,7 @@ void draw_panel(Svg& svg, const ImagePanel& panel, const PanelSize& size, Vector
     draw_image(svg, panel.png, image, size.image);
     draw_frame(svg, image, size.image);
   }
-  draw_bar(svg, panel, image + Vector{0, size.image.y + bar_gap}, size.image.x);
+  draw_bar(svg, panel, image + Vector{0, size.image.y + bar_gap}, size.scale);
 }
 
 Block panel_row(ImagePanel left, ImagePanel right, double page_width) {

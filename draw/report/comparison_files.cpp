@@ -86,6 +86,7 @@ RunRecord reference_record(const Runs& runs) {
                                  .method = reference_method_word,
                                  .seed = 0,
                                  .threads = 0,
+                                 .max_vertices = runs.reference.max_vertices,
                                  .film = runs.reference.film},
                    .provenance = runs.provenance};
   record.rendering.warnings = {runs.reference.origin};

@@ -46,9 +46,8 @@ std::vector<NamedBudget> parse_budgets(std::string_view text) {
 }
 
 bool are_the_same(const std::vector<NamedBudget>& a, const std::vector<NamedBudget>& b) {
-  return std::ranges::equal(a, b, [](const NamedBudget& x, const NamedBudget& y) {
-    return wander::are_the_same(x.budget, y.budget);
-  });
+  return std::ranges::equal(
+      a, b, [](const NamedBudget& x, const NamedBudget& y) { return x.budget == y.budget; });
 }
 
 double effort_of(const Budget& budget) {

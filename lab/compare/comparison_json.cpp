@@ -118,6 +118,7 @@ ordered_json cells_of(const Comparison& comparison) {
 
 ordered_json json_of(const Reference& reference, int dimension) {
   ordered_json json{{"origin", reference.origin}};
+  if (reference.max_vertices > 0) json["max_vertices"] = reference.max_vertices;
   if (is_image(reference.film.shape)) json["file"] = reference_image;
   json["film"] = wander::to_json(reference.film, dimension);
   return json;

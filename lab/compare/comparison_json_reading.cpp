@@ -115,6 +115,7 @@ Runs runs_from(const JsonPlace& json, const std::string& place) {
       json.value("time", std::string("wall")) == "cpu" ? TimeKind::processor : TimeKind::wall;
   runs.reference.origin = json.at("reference").at("origin");
   runs.reference.film = film_from_json(json.at("reference").at("film"));
+  runs.reference.max_vertices = json.at("reference").value("max_vertices", 0);
   read(runs.runs, json.at("runs"));
   read(runs.failures, json.at("failures"));
   for (const JsonPlace& run : json.at("details").elements())

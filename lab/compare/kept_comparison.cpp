@@ -42,7 +42,7 @@ void serialize(Archive& archive, FinishedTurn& turn) {
 }
 template <class Archive>
 void serialize(Archive& archive, Reference& reference) {
-  archive(reference.film, reference.origin, reference.doubts);
+  archive(reference.film, reference.origin, reference.doubts, reference.max_vertices);
 }
 template <class Archive>
 void serialize(Archive& archive, KeptReference& kept) {
@@ -51,7 +51,7 @@ void serialize(Archive& archive, KeptReference& kept) {
 
 namespace {
 
-constexpr std::string_view format = "wanderlight-kept/4", family = "wanderlight-kept/";
+constexpr std::string_view format = "wanderlight-kept/5", family = "wanderlight-kept/";
 constexpr const char* plan_part = "plan";
 constexpr const char* reference_part = "reference";
 constexpr std::string_view runs_prefix = "runs-";

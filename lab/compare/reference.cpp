@@ -65,24 +65,30 @@ void require_sound(const std::filesystem::path& file, const FilmEstimate& film) 
 
 }  // namespace
 
-Reference reference_from_file(const std::filesystem::path& file, const std::vector<int>& shape,
-                              const Provenance& scene, std::vector<std::string>& warnings) {
+Reference reference_from_file(const std::filesystem::path& file, const description::Scene& asked,
+                              const Provenance& provenance, std::vector<std::string>& warnings) {
   RunRecord run = read_run(file);
   const FilmEstimate& film = run.rendering.film;
+  const std::vector<int> shape = film_shape(asked);
   if (film.value.empty() || film.shape != shape) refuse_shape(file, film, shape);
   require_sound(file, film);
-  if (!may_be_the_same(run.provenance.scene_digest, scene.scene_digest))
+  if (!may_be_the_same(run.provenance.scene_digest, provenance.scene_digest))
     warnings.push_back(
         fmt::format("--reference {} is of another scene, by its text or by a mesh or texture: "
                     "errors are measured against that scene's film",
                     file.string()));
+  if (has_other_lengths(run.rendering, asked.max_vertices))
+    warnings.push_back(fmt::format("--reference {} has {}", file.string(),
+                                   words_of_lengths(run.rendering, asked.max_vertices)));
   if (!run.rendering.complete)
     warnings.push_back(
         fmt::format("--reference {} is of a run that was interrupted", file.string()));
   const std::string origin =
       fmt::format("{}{}, made by `{}`", is_exact(origin_of(run.rendering)) ? "exact: " : "",
                   file.string(), run.provenance.command_line);
-  return {std::move(run.rendering.film), origin};
+  return {.film = std::move(run.rendering.film),
+          .origin = origin,
+          .max_vertices = run.rendering.max_vertices};
 }
 
 std::optional<Reference> exact_reference(const description::Scene& scene, std::string& why) {

@@ -16,10 +16,10 @@
 
 namespace wander::compare {
 
-// Throws RunFileError where it cannot be read or is an image of another shape, UsageError where it
-// is a row of bins of another length.
-Reference reference_from_file(const std::filesystem::path& file, const std::vector<int>& shape,
-                              const Provenance& scene, std::vector<std::string>& warnings);
+// For the film of a scene, `asked`, which is `provenance`.  Throws RunFileError where it cannot be read or is an image of
+// another shape, UsageError where it is a row of bins of another length.
+Reference reference_from_file(const std::filesystem::path& file, const description::Scene& asked,
+                              const Provenance& provenance, std::vector<std::string>& warnings);
 
 // None where the scene is not diffuse, or not known exactly enough; `why` then says so.
 std::optional<Reference> exact_reference(const description::Scene& scene, std::string& why);

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* schema = "wanderlight-reference/3";
+constexpr const char* schema = "wanderlight-reference/4";
 constexpr std::string_view ending = ".runs";
 
 std::string prefix_of(const Provenance& provenance, int max_vertices) {

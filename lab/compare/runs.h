@@ -47,6 +47,7 @@ struct Reference {
   FilmEstimate film;   // standard_error is its own, and zero where it is exact
   std::string origin;  // in words: "exact: ...", a file, or the runs that it is the mean of
   std::vector<std::string> doubts{};  // why it may not be what it seems; each a sentence
+  int max_vertices = 0;               // of its paths; 0: that is not known
 };
 
 // Gives the films that runs do not hold (film_loan.h).

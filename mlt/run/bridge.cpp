@@ -6,19 +6,14 @@
 #include <limits>
 #include <optional>
 
+#include "mlt/run/bridge_cells.h"
 #include "mlt/run/solver_log.h"
+#include "statistics/squared.h"
 #include "work/parallel.h"
 
 namespace wander {
 
 namespace {
-
-// Paths whose l is about the same: of each side its mean l, in units of the direct estimate, and
-// how many there are, per sample of the seed pass and as a share of all states.
-struct Cell {
-  double found_ratio, state_ratio;
-  double found, states;
-};
 
 // The derivative of the loss of bridge.h over β = log(b / b_direct) vanishes where both of its
 // parts are equal; the logarithm of their quotient is nearly a straight line.
@@ -87,123 +82,58 @@ std::optional<double> refined(std::span<const Cell> cells, double balance, doubl
   return solve(cells, balance, start);
 }
 
-// The cells of all groups together, and what each group adds to them.
-class Cells {
- public:
-  explicit Cells(std::span<const BridgeGroup> groups) : groups_(groups) {
-    RatioHistogram found, states;
-    for (const BridgeGroup& g : groups) {
-      samples_ += g.samples;
-      found_count_ += g.found->count();
-      state_count_ += g.states->count();
-      found.add(*g.found, 1);
-      states.add(*g.states, g.state_weight);
-      state_mass_.push_back(g.state_weight * g.states->count());
-      all_states_ += state_mass_.back();
-    }
-    double total = 0;
-    for (int i = found.first(); i < found.end(); ++i) total += found[i].sum;
-    direct_ = total / samples_;
-    const int low = std::min(found.first(), states.first());
-    for (int i = low; i < std::max(found.end(), states.end()); ++i) {
-      const RatioHistogram::Bin f = found[i], s = states[i];
-      if (f.count + s.count == 0) continue;
-      cells_.push_back({f.count > 0 ? f.sum / f.count / direct_ : 1,
-                        s.count > 0 ? s.sum / s.count / direct_ : 1, f.count / samples_,
-                        s.count / all_states_});
-      bins_.push_back(i);
-    }
+// What m, a function of l, would vary by because of light that samples know and no chain has come to.  Where chains hardly
+// mix, those that all began elsewhere are alike, which says nothing of one that had begun there.
+template <class M>
+double unseen_variance(const Cells& cells, double b, M&& m, double mean) {
+  constexpr double chance = 4;  // standard errors that may be
+  double variance = 0;
+  for (const Cells::Octave& octave : cells.octaves(b, m)) {
+    const double lacking = octave.light / b - octave.states - chance * octave.error;
+    variance += std::max(0.0, lacking) * squared(octave.mean - mean);
   }
+  return variance;
+}
 
-  double direct() const { return direct_; }
-  double samples() const { return samples_; }
-  bool has_states() const { return all_states_ > 0; }
-  // Until the groups tell: few states know no more than as many samples.
-  double balance_at_first() const { return std::min(1.0, state_count_ / samples_); }
-  std::span<const Cell> all() const { return cells_; }
-
-  // What is left of a side without a group, but for rounding.
-  bool has_samples_without(std::size_t group) const { return samples_ > groups_[group].samples; }
-  bool has_found_without(std::size_t group) const {
-    return found_count_ > (1 + rounding) * groups_[group].found->count();
-  }
-  bool has_states_without(std::size_t group) const {
-    return state_count_ > (1 + rounding) * groups_[group].states->count();
-  }
-  // The direct estimate, of samples alone.
-  double direct_without(std::size_t group) const {
-    const BridgeGroup& g = groups_[group];
-    double total = 0;
-    for (std::size_t k = 0; k < cells_.size(); ++k)
-      total += std::max(0.0, cells_[k].found * samples_ * cells_[k].found_ratio * direct_ -
-                                 (*g.found)[bins_[k]].sum);
-    return total / (samples_ - g.samples);
-  }
-  // Where something is left of both sides.
-  std::vector<Cell> without(std::size_t group) const {
-    const BridgeGroup& g = groups_[group];
-    const double samples = samples_ - g.samples, states = all_states_ - state_mass_[group];
-    std::vector<Cell> cells(cells_.size());
-    for (std::size_t k = 0; k < cells_.size(); ++k) {
-      const Cell& c = cells_[k];
-      const double their_states = g.state_weight * (*g.states)[bins_[k]].count;
-      cells[k] = {c.found_ratio, c.state_ratio,
-                  std::max(0.0, c.found * samples_ - (*g.found)[bins_[k]].count) / samples,
-                  std::max(0.0, c.states * all_states_ - their_states) / states};
-    }
-    return cells;
-  }
-
-  // Σ over cells of a group: found paths weighted by h, states by m.
-  struct Sums {
-    double paths = 0, states = 0, mass = 0;
-  };
-  template <class H, class M>
-  Sums sums_of(std::size_t group, H&& h, M&& m) const {
-    const BridgeGroup& g = groups_[group];
-    Sums sums{.mass = state_mass_[group]};
-    for (std::size_t k = 0; k < cells_.size(); ++k) {
-      sums.paths += (*g.found)[bins_[k]].count * h(cells_[k].found_ratio);
-      sums.states += g.state_weight * (*g.states)[bins_[k]].count * m(cells_[k].state_ratio);
-    }
-    return sums;
-  }
-  std::size_t groups() const { return groups_.size(); }
-  double samples_of(std::size_t group) const { return groups_[group].samples; }
-  double state_mass() const { return all_states_; }
-
- private:
-  static constexpr double rounding = 1e-9;
-
-  std::span<const BridgeGroup> groups_;
-  double samples_ = 0, all_states_ = 0, direct_ = 0, found_count_ = 0, state_count_ = 0;
-  std::vector<double> state_mass_;
-  std::vector<Cell> cells_;
-  std::vector<int> bins_;
-};
-
-// n_M / n_B: how many independent draws tell as much as each side does.  A side's own variance,
-// were its paths independent, over the variance that its groups show.  Where these show none, `balance` stays.
-double best_balance(const Cells& cells, double balance, double beta) {
-  const auto h = [&](double l) { return l / (balance * l + std::exp(beta)); };
-  const auto m = [&](double l) { return 1 / (balance * l + std::exp(beta)); };
-  double mean_h = 0, square_h = 0, mean_m = 0, square_m = 0;
-  for (const Cell& c : cells.all()) {
-    mean_h += c.found * h(c.found_ratio);
-    square_h += c.found * h(c.found_ratio) * h(c.found_ratio);
-    mean_m += c.states * m(c.state_ratio);
-    square_m += c.states * m(c.state_ratio) * m(c.state_ratio);
-  }
-  double spread_h = 0, spread_m = 0;  // of the means of all groups
+// How many independent draws tell E_M[m] as well as the chains do; of what they have not seen, as many as there are groups,
+// and where all their states are alike.
+template <class M>
+double size_of_states(const Cells& cells, double b, M&& m) {
+  double mean = 0, variance = 0, spread = 0;  // of the mean of all groups
+  for (const Cell& c : cells.all()) mean += c.states * m(c.state_ratio);
+  for (const Cell& c : cells.all()) variance += c.states * squared(m(c.state_ratio) - mean);
+  const auto nothing = [](double) { return 0.0; };
   for (std::size_t g = 0; g < cells.groups(); ++g) {
-    const auto sums = cells.sums_of(g, h, m);
-    const double dh = (sums.paths - cells.samples_of(g) * mean_h) / cells.samples();
-    const double dm = (sums.states - sums.mass * mean_m) / cells.state_mass();
-    spread_h += dh * dh;
-    spread_m += dm * dm;
+    const auto sums = cells.sums_of(g, nothing, m);
+    spread += squared((sums.states - sums.mass * mean) / cells.state_mass());
   }
-  const double size_h = square_h / spread_h, size_m = (square_m - mean_m * mean_m) / spread_m;
-  const double ratio = size_m / size_h;
+  const double unseen = unseen_variance(cells, b, m, mean), groups = cells.groups_with_states();
+  constexpr double rounding = 1e-20;
+  if (!(variance + unseen > rounding * squared(mean))) return groups;
+  return (variance + unseen) / (spread + unseen / groups);
+}
+
+// The same of E_B[Σ h], were paths that are found independent.
+template <class H>
+double size_of_samples(const Cells& cells, H&& h) {
+  double mean = 0, square = 0, spread = 0;
+  for (const Cell& c : cells.all()) {
+    mean += c.found * h(c.found_ratio);
+    square += c.found * squared(h(c.found_ratio));
+  }
+  for (std::size_t g = 0; g < cells.groups(); ++g) {
+    const auto sums = cells.sums_of(g, h, [](double) { return 0.0; });
+    spread += squared((sums.paths - cells.samples_of(g) * mean) / cells.samples());
+  }
+  return square / spread;
+}
+
+// n_M / n_B: how many independent draws tell as much as each side does.  Where its groups show none, `balance` stays.
+double best_balance(const Cells& cells, double balance, double beta) {
+  const double b = std::exp(beta);
+  const auto h = [&](double l) { return l / (balance * l + b); };
+  const auto m = [&](double l) { return 1 / (balance * l + b); };
+  const double ratio = size_of_states(cells, b, m) / size_of_samples(cells, h);
   return std::isfinite(ratio) && ratio > 0 ? ratio : balance;
 }
 

@@ -56,15 +56,29 @@ class Rest {
   std::optional<double> seconds_, begun_;
 };
 
+// As far as it has come: in memory, or where it was kept.
+struct Progressed {
+  std::string budget{};
+  KeptRun from{};                  // until it goes on from there
+  std::unique_ptr<HeldRun> run{};  // from then on
+  BoundRecord record{};            // of what was computed
+
+  const Headway& headway() const { return run ? run->headway() : from.headway; }
+  KeptRun kept() const { return run ? run->kept() : from; }
+  double error() const {
+    return record.run ? relative_error(record.run->rendering.film) : not_known;
+  }
+};
+
 class BoundRun {
  public:
   explicit BoundRun(RunRequest request) : request_(std::move(request)) {}
   // From where it was kept.
   BoundRun(RunRequest request, Checkpoint&& kept, BoundRecord record)
       : request_(std::move(request)),
-        from_(std::move(kept.run)),
-        budget_(std::move(kept.budget)),
-        record_(std::move(record)) {}
+        shown_{.budget = std::move(kept.budget),
+               .from = std::move(kept.run),
+               .record = std::move(record)} {}
 
   // "complete", "rested" or "interrupted".
   std::string go_on(const std::string& budget, int threads, std::optional<double> rest,
@@ -72,7 +86,8 @@ class BoundRun {
     const Alone alone(is_going_on_);
     Listening listening(std::move(progress));
     Rest resting(rest);
-    const Session session{.budget = aimed_at(budget),
+    Progressed& run = run_for(budget);
+    const Session session{.budget = aimed_at(run, budget),
                           .seed = request_.seed,
                           .threads = threads,
                           .interrupted = &listening.is_stopped(),
@@ -82,27 +97,32 @@ class BoundRun {
                           }};
     BoundRecord made;
     try {
-      listening.carry_out([&] { made = computed(session); });
+      listening.carry_out([&] { made = computed(run, session); });
     } catch (const NothingComputed&) {
       return "interrupted";
     }
-    record_ = std::move(made);
-    if (record_.run->rendering.complete) return "complete";
+    run.record = std::move(made);
+    const bool is_complete = run.record.run->rendering.complete;
+    if (anew_ && (is_complete || anew_->headway().samples >= shown_.headway().samples)) {
+      shown_ = std::move(*anew_);
+      anew_.reset();
+    }
+    if (is_complete) return "complete";
     return listening.heard_interrupt() ? "interrupted" : "rested";
   }
 
   // None before anything was computed.
   std::optional<BoundRecord> record() const {
-    if (!record_.run) return std::nullopt;
-    return record_;
+    if (!shown_.record.run) return std::nullopt;
+    return shown_.record;
   }
 
   // With its checkpoint: `wander render --continue` carries it on.
   void write(const std::string& directory, bool replaces, double exposure) {
     const Alone alone(is_going_on_);
-    write_record(record_, directory, replaces, exposure);
-    Checkpoint checkpoint = request_.checkpoint(budget_);
-    checkpoint.run = run_ ? run_->kept() : from_;
+    write_record(shown_.record, directory, replaces, exposure);
+    Checkpoint checkpoint = request_.checkpoint(shown_.budget);
+    checkpoint.run = shown_.kept();
     const StateWriter state = [&](std::ostream& bytes) { bytes << checkpoint.run.state; };
     write_checkpoint(checkpoint, state, directory);
   }
@@ -123,38 +143,43 @@ class BoundRun {
     std::atomic<bool>& taken_;
   };
 
-  // What is left of such a budget for the run, of which it counts all.
-  Budget aimed_at(const std::string& text) {
-    Budget budget = parse_budget(text);
-    const Headway done = run_ ? run_->headway() : from_.headway;
-    const auto error = [this] {
-      return record_.run ? relative_error(record_.run->rendering.film) : not_known;
-    };
+  // What such a budget, of which a run counts all, asks of it.
+  Onward onward_of(const Progressed& run, const std::string& text) const {
+    const Budget budget = parse_budget(text);
     const auto* count = std::get_if<SampleBudget>(&budget);
-    if (count && count->samples < done.samples) return SampleBudget{done.samples};
-    if (!budget_.empty() && !are_the_same(budget, parse_budget(budget_))) {
-      switch (onward(parse_budget(budget_), budget, done, error, request_.job())) {
-        case Onward::as_planned:
-          return budget;
-        case Onward::enough:
-          return SampleBudget{done.samples};
-        case Onward::begun_again:
-          run_.reset();
-          from_ = {};
-          break;
-        case Onward::further:
-          break;
-      }
-    }
-    budget_ = text;
-    return budget;
+    if (count && count->samples < run.headway().samples) return Onward::enough;
+    if (run.budget.empty() || budget == parse_budget(run.budget)) return Onward::further;
+    return onward(
+        parse_budget(run.budget), budget, run.headway(), [&] { return run.error(); },
+        request_.job());
   }
-  BoundRecord computed(const Session& session) {
-    if (!run_) {
-      run_ = std::make_unique<HeldRun>(request_.job(), session, from_);
-      from_ = {};
+  // One that has to begin again does so beside the old one.
+  Progressed& run_for(const std::string& budget) {
+    if (onward_of(shown_, budget) != Onward::begun_again) {
+      anew_.reset();
+      return shown_;
     }
-    Rendering rendering = run_->go_on(session);
+    if (!anew_ || onward_of(*anew_, budget) == Onward::begun_again)
+      anew_ = Progressed{.budget = budget};
+    return *anew_;
+  }
+  Budget aimed_at(Progressed& run, const std::string& text) const {
+    switch (onward_of(run, text)) {
+      case Onward::enough:
+        return SampleBudget{run.headway().samples};
+      case Onward::as_planned:
+        break;
+      default:
+        run.budget = text;
+    }
+    return parse_budget(text);
+  }
+  BoundRecord computed(Progressed& run, const Session& session) {
+    if (!run.run) {
+      run.run = std::make_unique<HeldRun>(request_.job(), session, run.from);
+      run.from = {};
+    }
+    Rendering rendering = run.run->go_on(session);
     const SceneDocument& document = request_.scene.document;
     add_warnings(rendering, session, document, request_.scene.source);
     return {std::make_shared<const RunRecord>(
@@ -162,10 +187,9 @@ class BoundRun {
   }
 
   RunRequest request_;
-  KeptRun from_;
-  std::string budget_;
-  std::unique_ptr<HeldRun> run_;
-  BoundRecord record_;
+  Progressed shown_;
+  // One that has begun again, until it has ended or has as many samples as the one that is shown.
+  std::optional<Progressed> anew_;
   std::atomic<bool> is_going_on_ = false;
 };
 
@@ -186,18 +210,15 @@ std::unique_ptr<BoundRun> begin(const BoundScene& scene, const std::string& meth
 
 constexpr const char* anew = "render the scene anew";
 
-// From the checkpoint in a directory; with the source of its scene, and its budget.
-std::tuple<std::unique_ptr<BoundRun>, std::string, std::string> resumed(
+// From the checkpoint in a directory; with its scene, and its budget.
+std::tuple<std::unique_ptr<BoundRun>, BoundScene, std::string> resumed(
     const std::string& directory) {
   Checkpoint kept = read_checkpoint(directory, anew);
-  RunRequest request{{reopened(kept.scene), kept.scene.source},
-                     kept.method,
-                     kept.dials,
-                     kept.seed,
-                     "wanderlight.open_run"};
-  const std::string source = kept.scene.source, budget = kept.budget;
+  const BoundScene scene{reopened(kept.scene), kept.scene.source};
+  const std::string budget = kept.budget;
+  RunRequest request{scene, kept.method, kept.dials, kept.seed, "wanderlight.open_run"};
   const BoundRecord record{std::make_shared<const RunRecord>(read_run(directory))};
-  return {std::make_unique<BoundRun>(std::move(request), std::move(kept), record), source, budget};
+  return {std::make_unique<BoundRun>(std::move(request), std::move(kept), record), scene, budget};
 }
 
 }  // namespace
@@ -209,7 +230,7 @@ void bind_run(nb::module_& module) {
       .def(nb::new_(&begin), nb::arg("scene"), nb::arg("method"), nb::arg("dials"), nb::arg("seed"),
            nb::arg("command_line"))
       .def_static("resumed", &resumed, nb::arg("directory"),
-                  "From its checkpoint; with the source of its scene, and its budget.")
+                  "From its checkpoint; with its scene, and its budget.")
       .def("go_on", &BoundRun::go_on, nb::arg("budget"), nb::arg("threads"), nb::arg("rest").none(),
            nb::arg("progress").none())
       .def_prop_ro("record", &BoundRun::record)

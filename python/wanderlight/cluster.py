@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import socket
 import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Iterator, Mapping, NamedTuple, Sequence
 
 from . import _wander
-from .errors import Interrupted, NoLightFound, UsageError
+from .errors import Interrupted, NoLightFound, SceneError, UsageError
 from .progress import Bar, Progress
 from .result import Result
 from .run import merge
@@ -27,6 +28,7 @@ _READ = ("run.json", "film.nc")
 class _Job(NamedTuple):
     text: str
     source: str
+    files: Mapping[str, str]
     method: str
     dials: Mapping[str, str]
     seed: int
@@ -57,9 +59,21 @@ def budgets_of_runs(budget: Budget, runs: int) -> list[str]:
     return [str(samples // runs + (1 if k < samples % runs else 0)) for k in range(runs)]
 
 
+def _scene_of(job: _Job) -> Scene:
+    """On a worker; raises SceneError where a file that the scene names is not the one that was sent for."""
+    scene = _again(job.text, job.source)
+    changed = [name for name, digest in job.files.items() if scene.files.get(name) != digest]
+    if changed:
+        raise SceneError(
+            f"{', '.join(changed)}: on the worker {socket.gethostname()} this is another file than where the scene "
+            "was read; give all workers the same"
+        )
+    return scene
+
+
 def _files_of(job: _Job) -> dict[str, bytes]:
     """On a worker: makes a run, and gives the files of it that are wanted."""
-    scene = _again(job.text, job.source)
+    scene = _scene_of(job)
     line = command_line(["render", job.source, "-m", job.method, "-b", job.budget, "-s", job.seed], job.dials)
     engine = _wander.Run(scene._bound, job.method, dict(job.dials), job.seed, line)
     engine.go_on(job.budget, job.threads, None, None)
@@ -125,7 +139,7 @@ def render_on(
     # What is wrong is said here, before anything is sent.
     _wander.Run(scene._bound, method, dict(dials), seed, "")
     jobs = [
-        _Job(scene.text, scene.source, method, dict(dials), each, part, threads, _MERGED)
+        _Job(scene.text, scene.source, scene.files, method, dict(dials), each, part, threads, _MERGED)
         for each, part in zip(seeds, budgets_of_runs(budget, runs))
     ]
     with tempfile.TemporaryDirectory(prefix="wanderlight-") as folder:
@@ -151,7 +165,17 @@ def make_turns(client: Client, scene: Scene, engine: _wander.Comparison, threads
     >>> wl.compare("gallery:slit", client=Client("tcp://scheduler:8786"))                   # doctest: +SKIP
     """
     jobs = [
-        _Job(scene.text, scene.source, turn["method"], turn["dials"], turn["seed"], turn["budget"], threads, _READ)
+        _Job(
+            scene.text,
+            scene.source,
+            scene.files,
+            turn["method"],
+            turn["dials"],
+            turn["seed"],
+            turn["budget"],
+            threads,
+            _READ,
+        )
         for turn in engine.turns()
     ]
     with tempfile.TemporaryDirectory(prefix="wanderlight-") as folder:

@@ -12,6 +12,7 @@ import pandas as pd
 import xarray as xr
 
 from . import _wander
+from .errors import UsageError
 from .scene import Scene, _again
 
 __all__ = ["Normalization", "Result"]
@@ -188,12 +189,17 @@ class Result:
         Parameters
         ----------
         level : float
-            The probability that a bin's interval holds its value.
+            The probability that a bin's interval holds its value, between 0 and 1.
 
         Returns
         -------
         low, high : xarray.DataArray
             Of the shape and in the units of the film.
+
+        Raises
+        ------
+        UsageError
+            If the level is no probability.
 
         Examples
         --------
@@ -204,6 +210,8 @@ class Result:
         """
         from scipy.stats import t
 
+        if not 0 < level < 1:
+            raise UsageError(f"level {level}: a probability is above 0 and below 1, as in 0.95")
         freedom = self.degrees_of_freedom
         half = self.standard_error * float(t.ppf(0.5 + level / 2, freedom if np.isfinite(freedom) else 1e9))
         low, high = self.film - half, self.film + half

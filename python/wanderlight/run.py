@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Iterator, Sequence, Union
 
@@ -9,7 +10,7 @@ from . import _wander
 from .errors import Interrupted, UsageError
 from .progress import Bar, Progress
 from .result import Result
-from .scene import Scene, SceneLike, _again, load
+from .scene import Scene, SceneLike, load
 from .words import Budget, Setting, budget_text, command_line, counted, seeded, setting_texts
 
 if TYPE_CHECKING:
@@ -66,10 +67,14 @@ class Run(Result):
     def advance(self, budget: Budget | None = None, *, progress: Progress = None) -> Run:
         """Carries the run on.
 
+        A pooled run of chains that was planned for few steps begins again beyond its budget (docs/runs.md); what it had
+        is shown, and saved, until there is as much of the new one or the new one has ended.
+
         Parameters
         ----------
         budget : int or str, optional
-            Of the whole run, as `render` takes it; none: its own.
+            Of the whole run, as `render` takes it; none: its own. Of a number of samples that it has already nothing is
+            left to do.
         progress : bool or callable, optional
             A bar; or what is called with (fraction, samples, seconds, phase).
 
@@ -279,8 +284,8 @@ def open_run(path: PathLike) -> Result:
     result = Result(record, None)
     if not (Path(path) / "checkpoint").is_file():
         return result
-    engine, source, budget = _wander.Run.resumed(str(path))
-    run = Run(engine, _again(result.record["scene"]["text"], source), budget, 0)
+    engine, scene, budget = _wander.Run.resumed(str(path))
+    run = Run(engine, Scene._of(scene), budget, 0)
     run._made = record
     return run
 
@@ -315,4 +320,9 @@ def merge(runs: Sequence[PathLike], *, threads: int = 0) -> Result:
     >>> wl.merge([folder / "1", folder / "2"]).samples
     20000
     """
+    if isinstance(runs, (str, os.PathLike)):
+        raise UsageError(f"merge {runs}: give the directories of several runs, in a list")
+    for run in runs:
+        if not isinstance(run, (str, os.PathLike)):
+            raise UsageError(f"merge takes the directories of runs that were saved, not a {type(run).__name__}")
     return Result(_wander.merge([str(run) for run in runs], threads), None)

@@ -4,11 +4,12 @@
 
 #include <algorithm>
 
+#include "scenes/format/byte_order_mark.h"
+
 namespace wander {
 
 namespace {
 
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t longest_excerpt = 60;
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "scenes/format/byte_order_mark.h"
 #include "scenes/format/json_text.h"
 #include "scenes/format/mesh_file.h"
 
@@ -32,6 +33,10 @@ std::string_view take_word(std::string_view& line) {
   const std::string_view word = line.substr(0, line.find_first_of(spaces));
   line.remove_prefix(word.size());
   return word;
+}
+
+MeshText::MeshText(std::string_view text) : left_(text) {
+  if (left_.starts_with(byte_order_mark)) left_.remove_prefix(byte_order_mark.size());
 }
 
 std::string_view MeshText::next_line() {

@@ -14,7 +14,8 @@ using description::largest_coordinate;
 
 class MeshText {
  public:
-  explicit MeshText(std::string_view text) : left_(text) {}
+  // A byte order mark before it is passed over.
+  explicit MeshText(std::string_view text);
 
   bool at_end() const { return left_.empty(); }
   int line() const { return line_; }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "scenes/format/json_text.h"
@@ -40,23 +41,57 @@ std::optional<Colour> one_or_three(std::string_view text) {
   return Colour{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
 }
 
+// False: these are no numbers, or no longer wavelength than the one before.
+bool add(Spectrum& spectrum, std::string_view wavelength, std::string_view value) {
+  const auto at = number_in(wavelength), much = number_in(value);
+  if (!at || !much || (!spectrum.empty() && *at <= spectrum.back().first)) return false;
+  spectrum.emplace_back(*at, *much);
+  return true;
+}
+
 // 400:0.1, 500:0.2
 std::optional<Spectrum> spectrum_in(std::string_view text) {
   Spectrum spectrum;
   for (const std::string_view word : words_in(text)) {
     const std::size_t colon = word.find(':');
     if (colon == std::string_view::npos) return {};
-    const auto wavelength = number_in(word.substr(0, colon)),
-               value = number_in(word.substr(colon + 1));
-    if (!wavelength || !value || (!spectrum.empty() && *wavelength <= spectrum.back().first))
-      return {};
-    spectrum.emplace_back(*wavelength, *value);
+    if (!add(spectrum, word.substr(0, colon), word.substr(colon + 1))) return {};
   }
   if (spectrum.empty()) return {};
   return spectrum;
 }
 
+// A wavelength and a value on each line; what follows a # is passed over.
+std::optional<Spectrum> spectrum_in(std::istream& file) {
+  Spectrum spectrum;
+  for (std::string line; std::getline(file, line);) {
+    std::ranges::replace(line, '\r', ' ');
+    const auto words = words_in(std::string_view(line).substr(0, line.find('#')));
+    if (words.empty()) continue;
+    if (words.size() != 2 || !add(spectrum, words[0], words[1])) return {};
+  }
+  if (spectrum.empty()) return {};
+  return spectrum;
+}
+
+Colour of_spectrum_file(const XmlElement& element, Light light, const ImportContext& context) {
+  const std::string name = element.attribute("filename");
+  const std::filesystem::path path = context.file(element, name);
+  if (path.empty()) return grey(0);
+  std::ifstream file(path);
+  if (const auto spectrum = spectrum_in(file)) {
+    context.diagnosis.inexact(element, "a spectrum over wavelengths", "its colour");
+    return colour_of(*spectrum, light);
+  }
+  context.diagnosis.fault(element,
+                          fmt::format("{} is no spectrum; each of its lines gives a wavelength and "
+                                      "a value, in growing order",
+                                      excerpt(name)));
+  return grey(0);
+}
+
 Colour of_spectrum(const XmlElement& element, Light light, const ImportContext& context) {
+  if (element.has("filename")) return of_spectrum_file(element, light, context);
   const std::string text = element.attribute("value");
   if (const auto spectrum = spectrum_in(text)) {
     context.diagnosis.inexact(element, "a spectrum over wavelengths", "its colour");

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "scenes/format/byte_order_mark.h"
 #include "scenes/format/json_text.h"
 #include "scenes/format/scene_file_nearest.h"
 
@@ -21,7 +22,6 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t largest_file = std::uintmax_t{64} << 20;
 constexpr int deepest = 64;  // elements within each other
 constexpr std::size_t most_includes = 1000, deepest_include = 15, most_elements = 2'000'000;
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 bool is_name_character(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import os
 import shlex
+import signal
 
 import numpy as np
 import pytest
@@ -104,6 +106,52 @@ def test_a_saved_run_goes_on_in_the_program_and_in_python(wander, tmp_path):
     here = wl.open_run(tmp_path / "run").advance("70k")
     wander("render", "--continue", "-o", tmp_path / "run", "-b", "70k", "-q")
     assert same_films(here, wl.open_run(tmp_path / "run"))
+
+
+def interrupting_in(phase: str):
+    def stop(fraction, samples, seconds, now):
+        if now == phase:
+            os.kill(os.getpid(), signal.SIGINT)
+
+    return stop
+
+
+# Few steps, so beyond them it begins again: there are less than 50k mutations of the new run when it is interrupted.
+@pytest.mark.parametrize("phase", ["seed pass", "sampling"])
+def test_what_there_is_stays_until_a_run_that_begins_again_has_as_much(tmp_path, phase):
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+    run = wl.render("gallery:slit", "mlt", "50k")
+    before = wl.render("gallery:slit", "mlt", "50k")
+    with pytest.raises(wl.Interrupted):
+        run.advance("400k", progress=interrupting_in(phase))
+    assert run.samples == 50_000 and same_films(run, before)
+    run.save(tmp_path / "run")
+    assert same_films(wl.open_run(tmp_path / "run").advance("50k"), before)
+    goal = wl.render("gallery:slit", "mlt", "400k")
+    assert same_films(wl.open_run(tmp_path / "run").advance("400k"), goal)
+    counts = [preview.samples for preview in run.previews(every=0)]
+    assert counts[0] >= 50_000 and counts == sorted(counts) and counts[-1] == 400_000
+    assert same_films(run, goal)
+
+
+def test_a_budget_that_is_met_is_not_begun_again(tmp_path):
+    run = wl.render("gallery:slit", "mlt", "50k")
+    before = wl.render("gallery:slit", "mlt", "50k")
+    for met in ("20k", "50000", "0.001s"):
+        assert same_films(run.advance(met), before)
+
+
+def test_a_run_is_opened_from_any_folder(tmp_path, wander, monkeypatch):
+    here, there = tmp_path / "here", tmp_path / "there"
+    here.mkdir()
+    there.mkdir()
+    wander("gallery", "ring", "-o", here / "ring.json")
+    monkeypatch.chdir(here)
+    wl.render("ring.json", "bdpt", "2k").save("run")
+    monkeypatch.chdir(there)
+    opened = wl.open_run(here / "run")
+    assert opened.scene.files == wl.load(here / "ring.json").files
+    assert same_films(opened.advance("4k"), wl.render(here / "ring.json", "bdpt", "4k"))
 
 
 def test_scenes_with_meshes_are_saved_merged_and_opened(tmp_path):

@@ -76,6 +76,21 @@ def test_what_clusters_refuse():
     assert sum(int(part) for part in budgets_of_runs("1M", 7)) == 1_000_000
 
 
+@pytest.mark.parametrize("work", ["render", "compare"])
+def test_a_worker_with_another_mesh_is_told(tmp_path, wander, work):
+    wander("gallery", "ring", "-o", tmp_path / "ring.json")
+    scene = wl.load(tmp_path / "ring.json")
+    (mesh,) = scene.files
+    with (tmp_path / mesh).open("a") as other:
+        other.write("# not the same\n")
+    with cluster_of(1) as cluster, distributed.Client(cluster) as client:
+        with pytest.raises(wl.SceneError, match=f"{mesh}: on the worker"):
+            if work == "render":
+                wl.render(scene, "bdpt", "2k", client=client, runs=2, progress=False)
+            else:
+                wl.compare(scene, ["bdpt", "pt"], ["1k"], replicates=2, client=client, progress=False)
+
+
 def test_faults_are_told_before_anything_is_sent():
     class Unreachable:
         def submit(self, *what, **how):

@@ -27,6 +27,7 @@ inline RunRecord markov_chain_run() {
   rendering.processor_seconds = 2.125;
   rendering.seed_seconds = 0.25;
   rendering.precision = "float";
+  rendering.max_vertices = 9;
   rendering.film.shape = {3};
   rendering.film.value = {0.1, 1e-30, 1 / 3.0};
   rendering.film.standard_error = {0.01, unknown, 1e-3};

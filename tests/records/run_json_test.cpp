@@ -15,11 +15,11 @@ TEST(RunJson, ADocumentSaysWhatTheContractSays) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : json.items()) keys.push_back(key);
   EXPECT_EQ(keys, (std::vector<std::string>{
-                      "schema",        "complete",  "scene",     "dimension",    "method",
-                      "samples",       "seed",      "threads",   "seconds",      "cpu_seconds",
-                      "seed_seconds",  "precision", "film",      "adaptation",   "pooling",
-                      "normalization", "chains",    "mutations", "command_line", "version",
-                      "provenance",    "warnings"}));
+                      "schema",       "complete",      "scene",        "dimension", "method",
+                      "samples",      "seed",          "threads",      "seconds",   "cpu_seconds",
+                      "seed_seconds", "precision",     "max_vertices", "film",      "adaptation",
+                      "pooling",      "normalization", "chains",       "mutations", "command_line",
+                      "version",      "provenance",    "warnings"}));
   EXPECT_EQ(json["schema"], "wanderlight-run/1");
   EXPECT_EQ(json["film"]["shape"], nlohmann::ordered_json({3}));
   EXPECT_EQ(json["film"]["value"][2].get<double>(), 1 / 3.0);

@@ -117,7 +117,7 @@ TEST_F(ContinuingComparison, PartsOfAnotherComparisonOrVersionAreRefused) {
     other.replace(other.find(from), from.size(), to);
     change("run/kept/runs-0001", [&](std::string& bytes) { bytes = sealed(other); });
   };
-  with("wanderlight-kept/4", "wanderlight-kept/9");
+  with("wanderlight-kept/5", "wanderlight-kept/9");
   expect_refused("--continue -o run", 3, {"its format is wanderlight-kept/9"});
   with("\"version\":\"", "\"version\":\"9.");
   expect_refused("--continue -o run", 3, {"of version 9."});

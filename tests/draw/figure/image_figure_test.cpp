@@ -170,6 +170,16 @@ TEST(ImageFigure, KeepsTitlesOfScalesOnTheirPanel) {
   EXPECT_EQ(count(svg, ">W/(m²·sr)<") + count(svg, ">radiance, W/(m²·sr)<"), 1u);
 }
 
+// The scale of an image that is much higher than wide is wider than it.
+TEST(ImageFigure, OfANarrowImageHasTitlesThatCanBeRead) {
+  for (const int width : {1, 10}) {
+    const std::string svg = figure_of({image_run(width, 300, 3)},
+                                      {.title = "tall", .value = {"mean radiance", "W/m²"}});
+    EXPECT_TRUE(is_well_formed(svg));
+    EXPECT_EQ(count(svg, "…"), 0u) << width;
+  }
+}
+
 // The first is held against the second; where they differ upwards it is red.
 TEST(ImageFigure, HoldsOneOfTwoAgainstTheOther) {
   RunRecord one = image_run(40, 20, 1, 1), other = image_run(40, 20, 1, 2);

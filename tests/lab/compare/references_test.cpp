@@ -28,6 +28,27 @@ TEST_F(CompareCommand, TakesAReferenceOfTheSameShape) {
              "another scene");
 }
 
+// The light of the paths that one of them leaves out would count as an error of the other.
+TEST_F(CompareCommand, TellsThatAReferenceHasOtherLengths) {
+  ASSERT_EQ(wander("render box.json -m bdpt -b 20k --max-vertices 3 -o short -q").exit_code, 0);
+  ASSERT_EQ(wander("render box.json -m bdpt -b 20k -o whole -q").exit_code, 0);
+  for (const char* file : {"short", "short/run.json", "short/film.exr"}) {
+    const Outcome outcome = compare(std::string(tiny) + " --force -o o --reference " + file);
+    EXPECT_HAS(outcome.err, "has paths of up to 3 vertices, not of up to ");
+    EXPECT_EQ(json::parse(contents(folder / "o/compare.json"))["reference"]["max_vertices"], 3);
+    EXPECT_EQ(json::parse(contents(folder / "o/reference.json"))["max_vertices"], 3);
+  }
+  EXPECT_HAS(wander("inspect whole --reference short").out, "has paths of up to 3 vertices");
+  EXPECT_HAS(wander("plot whole --reference short -o film.svg").err, "has paths of up to 3");
+  EXPECT_LACKS(compare(std::string(tiny) + " --force -o o --reference whole").err,
+               "paths of up to");
+  EXPECT_LACKS(wander("inspect whole --reference whole").out, "paths of up to");
+  const Outcome same =
+      compare(std::string(tiny) + " --dial max_vertices=3 --force -o o --reference short");
+  EXPECT_EQ(same.exit_code, 0) << same.err;
+  EXPECT_LACKS(same.err, "paths of up to");
+}
+
 TEST_F(CompareCommand, RefusesADamagedReference) {
   ASSERT_EQ(wander("render box.json -m bdpt -b 20k -o ref -q").exit_code, 0);
   const json whole = json::parse(contents(folder / "ref" / "run.json"));
@@ -116,7 +137,7 @@ TEST_F(CompareCommand, IgnoresABrokenCacheWithAWarning) {
   altered[altered.size() / 2] ^= 1;
   for (const std::string& broken :
        {std::string("{"), std::string(), whole.substr(0, whole.size() / 2), std::string("[1]"),
-        altered, std::string(R"({"schema": "wanderlight-reference/3"})")}) {
+        altered, std::string(R"({"schema": "wanderlight-reference/4"})")}) {
     std::ofstream(cached_file()) << broken;
     const Outcome outcome = compare(command);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -40,6 +40,19 @@ TEST(ObjFiles, HaveCornersAndFaces) {
   EXPECT_EQ(mesh.corners, (Corners{{0, 1, 2}}));
 }
 
+// What a Windows editor puts before the text is no part of its first word.
+TEST(MeshFiles, MayBeginWithAByteOrderMark) {
+  const std::string mark = "\xEF\xBB\xBF", obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_EQ(parse_obj(mark + obj).points, parse_obj(obj).points);
+  EXPECT_EQ(parse_obj(mark + obj).corners, parse_obj(obj).corners);
+  const std::string ply =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+      "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(parse_ply(mark + ply).corners, parse_ply(ply).corners);
+  EXPECT_NE(obj_fault(mark + mark + "v 0 0 0\nf 1 1 1\n"), "");
+}
+
 TEST(ObjFiles, HaveFansForFacesOfManyCorners) {
   const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\n";
   EXPECT_EQ(parse_obj(square + "f 1 2 3 4 5").corners, (Corners{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}}));

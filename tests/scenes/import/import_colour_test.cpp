@@ -53,6 +53,10 @@ TEST_F(ImportedColours, OfSpectraAreThoseOfTheObserver) {
   const std::string bands = "value='400:0.1, 500:0.5, 600:0.9, 700:0.2'/>";
   expect_near(nearly("<spectrum name='reflectance' " + bands, "a spectrum over wavelengths"),
               {0.833826, 0.689122, 0.265243}, 0.01);
+  write("bands.spd", "# of a paint\r\n400 0.1\n500 0.5  # green\n\n600\t0.9\n700 0.2");
+  EXPECT_EQ(
+      nearly("<spectrum name='reflectance' filename='bands.spd'/>", "a spectrum over wavelengths"),
+      nearly("<spectrum name='reflectance' " + bands, "a spectrum over wavelengths"));
   const Colour lamp =
       colour_of(Spectrum{{400, 0}, {500, 8}, {600, 15.6}, {700, 18.4}}, Light::emitted);
   EXPECT_NEAR(lamp[0], 20.7108, 0.2);
@@ -101,6 +105,13 @@ TEST_F(ImportedColours, ThatCannotBeAreRefused) {
   EXPECT_SAYS(said_of("<rgb name='reflectance' value='nan'/>"), "is no colour");
   EXPECT_SAYS(said_of("<rgb name='reflectance' value='1e999'/>"), "is no colour");
   EXPECT_SAYS(said_of("<spectrum name='reflectance' value='500:1, 400:2'/>"), "in growing order");
+  EXPECT_SAYS(said_of("<spectrum name='reflectance' filename='none.spd'/>"),
+              "there is no file none.spd");
+  for (const char* text : {"", "400 0.1 0.2\n", "400 0.1\n400 0.2\n", "400 red\n"}) {
+    write("bad.spd", text);
+    EXPECT_SAYS(said_of("<spectrum name='reflectance' filename='bad.spd'/>"),
+                "bad.spd is no spectrum; each of its lines");
+  }
   EXPECT_SAYS(said_of("<texture type='marble' name='reflectance'/>"), "\"marble\" is not known");
   EXPECT_SAYS(said_of("<texture type='bitmap' name='reflectance'><string name='filename' "
                       "value='none.png'/></texture>"),

@@ -1,0 +1,84 @@
+// The bridge where chains do not mix, so that their groups may be alike by chance; and where they do.
+#include <gtest/gtest.h>
+
+#include "tests/mlt/run/bridge_sides.h"
+
+namespace wander::test {
+namespace {
+
+using namespace bridge_sides;
+
+// Light of two kinds: little of it, `dim`, in many paths of small l, and the rest in few, 800 times as bright.  Chains
+// stay in what they began in: every other run has none in the dim light, and all its states are alike.
+struct Unmixed {
+  double dim = 0.02, b = 1;
+  int samples = 32'000, states = 16'000;  // of all groups
+  bool one_comes_by = false;              // a chain has one dim state, and goes back
+
+  static constexpr double dim_ratio = 0.05, bright_ratio = 40;
+};
+
+Sides simulate(const Unmixed& model, std::uint64_t seed) {
+  Sides sides;
+  Rng random(seed, Purpose::test, 71);
+  sides.samples_of_group = model.samples / groups;
+  const double of_dim = model.dim * model.b / Unmixed::dim_ratio,
+               of_bright = (1 - model.dim) * model.b / Unmixed::bright_ratio;
+  double total = 0;
+  for (auto& side : sides.found)
+    for (int i = 0; i < model.samples / groups; ++i) {
+      const double u = random.uniform();
+      if (u >= of_dim + of_bright) continue;
+      side.add(u < of_dim ? Unmixed::dim_ratio : Unmixed::bright_ratio);
+      total += side.values.back();
+    }
+  for (auto& side : sides.states) {
+    const bool is_dim = random.uniform() < model.dim;
+    for (int i = 0; i < model.states / groups; ++i)
+      side.add(is_dim ? Unmixed::dim_ratio : Unmixed::bright_ratio);
+  }
+  if (model.one_comes_by) sides.states[0].add(Unmixed::dim_ratio);
+  sides.direct = total / (sides.samples_of_group * groups);
+  return sides;
+}
+
+// False alarms: of the coverage 1e-9 by the binomial law of 0.95 ± 0.02, of the bias |z| < 6.1.  The twin takes states for
+// half as many draws of f / b as there are samples, whatever they tell: it is off by a third where all are alike.
+TEST(BridgeMixing, OfChainsThatDoNotMixIsNoWorseThanTheSamples) {
+  constexpr int runs = 200;
+  for (const bool one_comes_by : {false, true}) {
+    const Study s = study(Unmixed{.one_comes_by = one_comes_by}, runs, bridged);
+    EXPECT_GT(s.coverage, 0.82) << one_comes_by;
+    EXPECT_LT(std::abs(s.bias), 6.1 * s.rmse / std::sqrt(runs)) << one_comes_by;
+    EXPECT_LT(s.rmse, 1.05 * s.direct_rmse) << one_comes_by;
+  }
+  const Study twin = study(
+      Unmixed{}, runs, [](const Sides& sides) { return std::pair(fixed_point(sides, 0.5), 0.02); });
+  EXPECT_LT(twin.coverage, 0.82);
+  EXPECT_GT(twin.rmse, 1.5 * twin.direct_rmse);
+}
+
+// States that are of the law of samples: of what they lack of the light most is known.
+TEST(BridgeMixing, OfStatesOfAnotherLawLeansOnTheSamples) {
+  constexpr int runs = 40;
+  const Study s = study(Model{.found = 0.3, .sigma = 1}, runs, [](const Sides& sides) {
+    std::vector<BridgeGroup> data = sides.data();
+    for (BridgeGroup& group : data) group.states = group.found;
+    return std::pair(bridge(data).b, 0.0);
+  });
+  EXPECT_LT(s.rmse, 1.5 * s.direct_rmse);
+}
+
+// What is unseen costs nothing where chains mix: r is what their groups show, but for one run of thousands for each
+// octave.  False alarms below 1e-9 at a tenth of all runs.
+TEST(BridgeMixing, OfChainsThatMixLeansOnThemAsBefore) {
+  int leaning = 0;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const Sides sides = simulate(Model{}, seed);
+    if (bridge(sides.data()).balance > 0.5) ++leaning;
+  }
+  EXPECT_GT(leaning, 30);
+}
+
+}  // namespace
+}  // namespace wander::test
