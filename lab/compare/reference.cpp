@@ -11,6 +11,7 @@
 #include "core/exact/diffuse_film.h"
 #include "core/film_statistics.h"
 #include "core/image_shape.h"
+#include "core/requirements.h"
 #include "core/tint.h"
 #include "lab/failure.h"
 #include "lab/reference_name.h"

@@ -2,6 +2,7 @@
 
 #include <ceres/ceres.h>
 
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -82,23 +83,43 @@ std::optional<double> refined(std::span<const Cell> cells, double balance, doubl
   return solve(cells, balance, start);
 }
 
-// What m, a function of l, would vary by because of light that samples know and no chain has come to.  Where chains hardly
-// mix, those that all began elsewhere are alike, which says nothing of one that had begun there.
+// How many independent events would tell E_B[Σ h] as well as the groups do.
+double effective_samples(const Cells& cells, double balance, double beta) {
+  const auto h = [&](double l) { return l / (balance * l + std::exp(beta)); };
+  double mean = 0, spread = 0;
+  for (const Cell& c : cells.all()) mean += c.found * h(c.found_ratio);
+  for (std::size_t g = 0; g < cells.groups(); ++g) {
+    const double paths = cells.sums_of(g, h, [](double) { return 0.0; }).paths;
+    const double d = (paths - cells.samples_of(g) * mean) / cells.samples();
+    spread += d * d;
+  }
+  return spread > 0 ? std::min(mean * mean / spread, cells.samples()) : cells.samples();
+}
+
+// What m, a function of l, would vary by because of light that samples know and chains have not come to.  Where chains
+// hardly mix, those that all began elsewhere are alike, which says nothing of one that had begun there; and groups that have
+// a large part of the states may all have begun elsewhere.  What chance explains is none: neither that of the octave nor that
+// of b, whose relative variance is `of_b`.
 template <class M>
-double unseen_variance(const Cells& cells, double b, M&& m, double mean) {
-  constexpr double chance = 4;  // standard errors that may be
+double unseen_variance(const Cells& cells, double b, double of_b, M&& m, double mean) {
+  // Standard errors that may be: three, were groups many and alike.
+  constexpr double luck = 1.35e-3;
+  const boost::math::students_t spread(std::max(1.0, cells.groups_with_states() - 1));
+  const double chance = boost::math::quantile(boost::math::complement(spread, luck));
   double variance = 0;
   for (const Cells::Octave& octave : cells.octaves(b, m)) {
-    const double lacking = octave.light / b - octave.states - chance * octave.error;
-    variance += std::max(0.0, lacking) * squared(octave.mean - mean);
+    const double share = octave.light / b, lacking = share - octave.states;
+    const double error = std::sqrt(squared(octave.error) + of_b * squared(share));
+    if (lacking > chance * error) variance += lacking * squared(octave.mean - mean);
   }
   return variance;
 }
 
 // How many independent draws tell E_M[m] as well as the chains do; of what they have not seen, as many as there are groups,
 // and where all their states are alike.
+// `of_samples`: the relative variance that they leave b.
 template <class M>
-double size_of_states(const Cells& cells, double b, M&& m) {
+double size_of_states(const Cells& cells, double b, double of_samples, M&& m) {
   double mean = 0, variance = 0, spread = 0;  // of the mean of all groups
   for (const Cell& c : cells.all()) mean += c.states * m(c.state_ratio);
   for (const Cell& c : cells.all()) variance += c.states * squared(m(c.state_ratio) - mean);
@@ -107,7 +128,8 @@ double size_of_states(const Cells& cells, double b, M&& m) {
     const auto sums = cells.sums_of(g, nothing, m);
     spread += squared((sums.states - sums.mass * mean) / cells.state_mass());
   }
-  const double unseen = unseen_variance(cells, b, m, mean), groups = cells.groups_with_states();
+  const double groups = cells.groups_with_states();
+  const double unseen = unseen_variance(cells, b, of_samples + spread / squared(mean), m, mean);
   constexpr double rounding = 1e-20;
   if (!(variance + unseen > rounding * squared(mean))) return groups;
   return (variance + unseen) / (spread + unseen / groups);
@@ -133,21 +155,9 @@ double best_balance(const Cells& cells, double balance, double beta) {
   const double b = std::exp(beta);
   const auto h = [&](double l) { return l / (balance * l + b); };
   const auto m = [&](double l) { return 1 / (balance * l + b); };
-  const double ratio = size_of_states(cells, b, m) / size_of_samples(cells, h);
+  const double of_samples = 1 / effective_samples(cells, balance, beta);
+  const double ratio = size_of_states(cells, b, of_samples, m) / size_of_samples(cells, h);
   return std::isfinite(ratio) && ratio > 0 ? ratio : balance;
-}
-
-// How many independent events would tell E_B[Σ h] as well as the groups do.
-double effective_samples(const Cells& cells, double balance, double beta) {
-  const auto h = [&](double l) { return l / (balance * l + std::exp(beta)); };
-  double mean = 0, spread = 0;
-  for (const Cell& c : cells.all()) mean += c.found * h(c.found_ratio);
-  for (std::size_t g = 0; g < cells.groups(); ++g) {
-    const double paths = cells.sums_of(g, h, [](double) { return 0.0; }).paths;
-    const double d = (paths - cells.samples_of(g) * mean) / cells.samples();
-    spread += d * d;
-  }
-  return spread > 0 ? std::min(mean * mean / spread, cells.samples()) : cells.samples();
 }
 
 // b of all groups but one.  Where only this one found anything, nothing; where only its chains made states, what samples say.

@@ -98,8 +98,8 @@ TEST_F(Continuing, ThePlanOfFewStepsStaysWhereNothingIsLeftToDo) {
 
 TEST_F(Continuing, ABudgetIsTheSameHoweverItIsWritten) {
   shell(
-      "timeout -s KILL 1.5 \"$WANDER\" render gallery:slit -m mlt -b 520k -t 1 -q -o cut "
-      "--checkpoint 0.05");
+      "\"$WANDER\" render gallery:slit -m mlt -b 520k -t 1 -q -o cut --checkpoint 0.05 & run=$!; "
+      "while [ ! -e cut/checkpoint ]; do sleep 0.01; done; kill -KILL $run");
   ASSERT_TRUE(exists("cut/checkpoint"));
   EXPECT_LACKS(wander("render --continue -o cut -b 520000").err, "begun again");
   ASSERT_EQ(wander("render gallery:slit -m mlt -b 520k -q -o whole").exit_code, 0);

@@ -91,7 +91,7 @@ template <class AnyModel, class Estimate>
 Study study(const AnyModel& model, int runs, Estimate&& estimate) {
   Study s;
   for (int run = 0; run < runs; ++run) {
-    const Sides sides = simulate(model, static_cast<std::uint64_t>(100 + run));
+    const auto sides = simulate(model, static_cast<std::uint64_t>(100 + run));
     const auto [b, error] = estimate(sides);
     const double t = 2.04;  // 31 degrees of freedom
     s.bias += (b - model.b) / runs;

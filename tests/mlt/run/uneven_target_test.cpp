@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "core/exact/radiosity.h"
-#include "mlt/run/bridge_cells.h"
 #include "mlt/run/chain_settings.h"
 #include "mlt/run/normalization.h"
 #include "mlt/run/path_group.h"
 #include "mlt/run/pooled_film.h"
 #include "mutations/catalogue.h"
+#include "tests/mlt/run/octaves.h"
 #include "tests/support/core_scenes.h"
 #include "tests/support/statistics.h"
 
@@ -77,19 +77,6 @@ bool is_right(const Estimate& estimate, double exact) {
   return std::abs(estimate.value - exact) <= most_errors * estimate.standard_error;
 }
 
-// By how many standard errors the light that samples have found in an octave of l differs at most from the share of the
-// states there.
-double largest_difference(const std::vector<GroupFindings>& findings) {
-  std::vector<BridgeGroup> sides;
-  for (const GroupFindings& group : findings)
-    sides.push_back({&group.evidence->ratios[0], static_cast<double>(group.seeds->samples),
-                     group.states[0].ratios, group.states[0].weight});
-  double largest = 0;
-  for (const Cells::Octave& octave : Cells(sides).octaves(1, [](double) { return 1; }))
-    largest = std::max(largest, std::abs(octave.light - octave.states) / octave.error);
-  return largest;
-}
-
 ImportanceMap uneven() { return {Raster(4), {0.25, 4, 1, 8}}; }
 
 TEST(UnevenTargets, KnowB) {
@@ -102,7 +89,7 @@ TEST(UnevenTargets, KnowB) {
                             NormalizationMethod::bridge, NormalizationMethod::pooled})
     EXPECT_TRUE(is_right(b[method].b, run.exact_b()))
         << name_of(method) << " " << b[method].b.value;
-  EXPECT_LT(largest_difference(found), most_errors);
+  EXPECT_LT(largest_difference(found, 0), most_errors);
 }
 
 TEST(UnevenTargets, KnowTheLightOfEachLengthAndBin) {
@@ -147,7 +134,7 @@ TEST(UnevenTargets, ThatAreComparedWithSamplesOfLightAreCaught) {
   std::vector<GroupFindings> found = run.findings();
   const std::vector<GroupFindings> other = of_light.findings();
   for (std::size_t g = 0; g < found.size(); ++g) found[g].evidence = other[g].evidence;
-  EXPECT_GT(largest_difference(found), 2 * most_errors);
+  EXPECT_GT(largest_difference(found, 0), 2 * most_errors);
   EXPECT_TRUE(is_right(constants(found).bridge.b, run.exact_b()));
 }
 
