@@ -73,8 +73,9 @@ void serialize(Archive& archive, ChainsRecord& chains) {
 template <class Archive>
 void serialize(Archive& archive, Rendering& r) {
   archive(r.complete, r.method, r.samples, r.seed, r.threads, r.seconds, r.processor_seconds,
-          r.seed_seconds, r.precision, r.max_vertices, r.film, r.adaptation, r.pooling, r.chains_film,
-          r.normalization, r.chains, r.groups, r.chains_record, r.mutations, r.warnings);
+          r.seed_seconds, r.precision, r.max_vertices, r.film, r.adaptation, r.pooling,
+          r.chains_film, r.normalization, r.chains, r.groups, r.chains_record, r.mutations,
+          r.warnings);
 }
 
 template <class Value>

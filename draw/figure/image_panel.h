@@ -33,8 +33,8 @@ std::vector<std::uint8_t> scale_of(const ColourMap& colours);
 
 struct PanelSize {
   Vector image;
-  double scale = 0;  // how wide; as the image, but no narrower than its words can be read
-  std::size_t lines = 0;        // of words
+  double scale = 0;       // how wide; as the image, but no narrower than its words can be read
+  std::size_t lines = 0;  // of words
   std::size_t title_lines = 1;  // of the scale's title
 
   double height() const;

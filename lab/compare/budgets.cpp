@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "lab/failure.h"
-#include "lab/onward.h"
 #include "lab/parsing.h"
 
 namespace wander::compare {
