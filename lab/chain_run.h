@@ -54,7 +54,7 @@ class ChainRun final : public LiveRun {
     make_trial_ = [this, kernel](std::uint64_t seed, double) {
       return std::make_unique<Trial>(space_, kernel, run_, seed, settings_of_trial());
     };
-    make_groups(settings.groups, settings.chains_per_group);
+    renew_groups(settings.groups, settings.chains_per_group);
   }
   template <class KernelOf>
   ChainRun(const char* method, const Space& space, const Adaptable<KernelOf>& kernel,
@@ -68,10 +68,10 @@ class ChainRun final : public LiveRun {
       return std::make_unique<Trial>(space_, kernel.scaled(factor), run_, seed,
                                      settings_of_trial());
     };
-    make_groups(settings.groups, settings.chains_per_group);
+    renew_groups(settings.groups, settings.chains_per_group);
   }
 
-  bool takes_seeds() const override { return !groups_->is_started(); }
+  bool takes_seeds() const override { return !groups_ || !groups_->is_started(); }
   ChainSettings settings() const override { return settings_; }
   void prepare() override {
     if (is_prepared() || run_.is_interrupted()) return;
@@ -96,8 +96,8 @@ class ChainRun final : public LiveRun {
   }
   double seed_share() const override { return seed_share_; }
   SeedPass seeds() const override {
-    const SeedTally tally = groups_->tally();
-    SeedPass pass{groups_->count(), tally.samples, tally.rays, tally.total.value() > 0};
+    const SeedTally tally = groups().tally();
+    SeedPass pass{groups().count(), tally.samples, tally.rays, tally.total.value() > 0};
     if (!pass.found_light) return pass;
     const Normalization b = normalization(tally);
     pass.relative_error = b.standard_error / b.value;
@@ -105,21 +105,21 @@ class ChainRun final : public LiveRun {
   }
   void seed(std::uint64_t of_each) override {
     prepare();
-    if (is_prepared()) groups_->add_seeds(of_each);
+    if (is_prepared()) groups().add_seeds(of_each);
   }
-  std::uint64_t seed_stride() const override { return groups_->seed_stride(); }
+  std::uint64_t seed_stride() const override { return groups().seed_stride(); }
   void start(int chains) override {
-    const SeedTally tally = groups_->tally();
+    const SeedTally tally = groups().tally();
     if (!(tally.total.value() > 0)) throw NoLightFound(tally.samples);
     settings_.chains_per_group = chains;
-    groups_->start(chains);
+    groups().start(chains);
   }
 
-  void advance(std::uint64_t samples) override { groups_->advance_to(groups_->steps() + samples); }
-  std::uint64_t samples() const override { return groups_->steps(); }
+  void advance(std::uint64_t samples) override { groups().advance_to(groups().steps() + samples); }
+  std::uint64_t samples() const override { return groups_ ? groups_->steps() : 0; }
   std::uint64_t stride() const override {
     constexpr std::uint64_t usual = 1024;
-    return turn_of(usual, space_.max_vertices()) * groups_->active();
+    return turn_of(usual, space_.max_vertices()) * groups().active();
   }
   // As dear as it is of chains alone where samples go on beside each step, for they tell the error.
   std::uint64_t first_look() const override {
@@ -134,11 +134,11 @@ class ChainRun final : public LiveRun {
   // Of the chains alone with the constants of the seed pass; or pooled, as it comes out.
   FilmEstimate preview() const override {
     if (pooling_) return findings().film;
-    if (const auto shared = groups_->shared_light()) return mean_film(*shared, shape());
+    if (const auto shared = groups().shared_light()) return mean_film(*shared, shape());
     GroupsFilm film(shape());
     MutationStatistics statistics = no_statistics();
     ChainDraws draws;
-    for (const auto& group : *groups_) group->deliver(film, statistics, draws);
+    for (const auto& group : groups()) group->deliver(film, statistics, draws);
     return film.estimate();
   }
 
@@ -146,7 +146,7 @@ class ChainRun final : public LiveRun {
     return std::make_unique<ChainFindings>(method_, shape(), no_statistics(), must_meet());
   }
   void add_to(Findings& all) const override {
-    dynamic_cast<ChainFindings&>(all).add(*groups_, settings_, adaptation_);
+    dynamic_cast<ChainFindings&>(all).add(groups(), settings_, adaptation_);
   }
   Rendering findings() const override {
     ChainFindings own(method_, shape(), no_statistics(), must_meet());
@@ -157,25 +157,25 @@ class ChainRun final : public LiveRun {
   }
 
   void save(cereal::BinaryOutputArchive& archive) const override {
-    const bool is_started = groups_->is_started();
+    const bool is_started = groups().is_started();
     archive(settings_.groups, chains_made_, settings_.chains_per_group, settings_.steps_per_chain,
             settings_.fewest_seeds, is_started, is_adapted_, adaptation_, pooling_, seed_share_);
-    groups_->serialize_seeds(archive);
-    if (is_started) groups_->serialize_chains(archive);
+    groups().serialize_seeds(archive);
+    if (is_started) groups().serialize_chains(archive);
   }
   void load(cereal::BinaryInputArchive& archive) override {
-    int groups = 0, made = 0, chains = 0;
+    int count = 0, made = 0, chains = 0;
     bool is_started = false;
-    archive(groups, made, chains, settings_.steps_per_chain, settings_.fewest_seeds, is_started,
+    archive(count, made, chains, settings_.steps_per_chain, settings_.fewest_seeds, is_started,
             is_adapted_, adaptation_, pooling_, seed_share_);
     choose_target([] { return false; });
-    make_groups(groups, made);
-    if (pooling_) groups_->pool(*pooling_);
+    renew_groups(count, made);
+    if (pooling_) groups().pool(*pooling_);
     settings_.chains_per_group = chains;
-    groups_->serialize_seeds(archive);
+    groups().serialize_seeds(archive);
     if (!is_started) return;
-    groups_->start(chains);  // makes again what follows from the seeds
-    groups_->serialize_chains(archive);
+    groups().start(chains);  // makes again what follows from the seeds
+    groups().serialize_chains(archive);
   }
 
  private:
@@ -197,7 +197,7 @@ class ChainRun final : public LiveRun {
       importance_ = importance_of_test_image(space_, is_interrupted);
       if (!importance_) return;
       space_ = space_.measuring(*importance_);
-      make_groups(settings_.groups, settings_.chains_per_group);
+      renew_groups(settings_.groups, settings_.chains_per_group);
     }
   }
   // Of a pilot, or of an adaptation.
@@ -220,7 +220,7 @@ class ChainRun final : public LiveRun {
     if (run_.is_interrupted()) return;
     is_adapted_ = true;
     adaptation_ = found;
-    make_groups(settings_.groups, settings_.chains_per_group);
+    renew_groups(settings_.groups, settings_.chains_per_group);
   }
   void keep_usual_kernel() {
     if (!is_adapted_) adaptation_.emplace();
@@ -232,8 +232,8 @@ class ChainRun final : public LiveRun {
     seed_share_ = plan.seed_share;
     settings_ = plan.settings;
     if (settings_.chains_per_group != chains_made_)
-      make_groups(settings_.groups, settings_.chains_per_group);
-    groups_->pool(*pooling_);
+      renew_groups(settings_.groups, settings_.chains_per_group);
+    groups().pool(*pooling_);
   }
 
   bool is_prepared() const {
@@ -252,11 +252,16 @@ class ChainRun final : public LiveRun {
 
   MetByChance must_meet() const { return met_by_chance(space_.scene(), MetByChance::either); }
 
-  void make_groups(int groups, int chains_of_each) {
+  // From then on, when next they are asked for, there are so many.
+  void renew_groups(int groups, int chains_of_each) {
     settings_.groups = groups;
     settings_.chains_per_group = chains_made_ = chains_of_each;
-    groups_.reset();  // not the memory of both
-    groups_ = make_(settings_, run_.session().seed, kernel());
+    groups_.reset();
+  }
+  // They take memory, and what a pilot and an adaptation decide makes them anew.
+  Groups& groups() const {
+    if (!groups_) groups_ = make_(settings_, run_.session().seed, kernel());
+    return *groups_;
   }
 
   const char* method_;
@@ -272,7 +277,7 @@ class ChainRun final : public LiveRun {
   std::function<std::unique_ptr<Groups>(const ChainSettings&, std::uint64_t seed, double kernel)>
       make_;
   std::function<std::unique_ptr<Trial>(std::uint64_t seed, double kernel)> make_trial_;
-  std::unique_ptr<Groups> groups_;
+  mutable std::unique_ptr<Groups> groups_;  // none until one asks
 };
 
 }  // namespace wander

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
 
 namespace wander {
 
@@ -12,27 +11,27 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-// W - w_g, in units of what it is with equal weights.
-std::vector<double> rests_of(std::span<const double> weights, std::size_t groups) {
-  std::vector<double> rests(groups, 1.0);
-  if (weights.empty()) return rests;
-  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
-  const double usual = total - total / static_cast<double>(groups);
-  for (std::size_t g = 0; g < groups; ++g) rests[g] = (total - weights[g]) / usual;
-  return rests;
-}
-
 }  // namespace
 
-double jackknife_error(std::span<const double> without, std::span<const double> weights) {
+Jackknife::Jackknife(std::size_t groups, std::span<const double> weights) : rests_(groups, 1.0) {
+  if (weights.empty()) return;
+  const double total = std::accumulate(weights.begin(), weights.end(), 0.0);
+  const double usual = total - total / static_cast<double>(groups);
+  for (std::size_t g = 0; g < groups; ++g) rests_[g] = (total - weights[g]) / usual;
+}
+
+double Jackknife::error(std::span<const double> without) const {
   const auto n = static_cast<double>(without.size());
   if (n < 2) return unknown;
-  const std::vector<double> rests = rests_of(weights, without.size());
-  const double mean = std::inner_product(without.begin(), without.end(), rests.begin(), 0.0) / n;
+  const double mean = std::inner_product(without.begin(), without.end(), rests_.begin(), 0.0) / n;
   double squares = 0;
   for (std::size_t g = 0; g < without.size(); ++g)
-    squares += rests[g] * (without[g] - mean) * (without[g] - mean);
+    squares += rests_[g] * (without[g] - mean) * (without[g] - mean);
   return std::sqrt(squares * (n - 1) / n);
+}
+
+double jackknife_error(std::span<const double> without, std::span<const double> weights) {
+  return Jackknife(without.size(), weights).error(without);
 }
 
 void count_products_once(std::span<double> without, double theta,
@@ -64,8 +63,8 @@ double jackknife_degrees(std::span<const double> squared_deviations) {
 }
 
 RatioJackknife::RatioJackknife(const std::vector<std::vector<double>>& groups,
-                               std::vector<double> weights)
-    : groups_(groups), weights_(std::move(weights)), totals_(groups.front().size()) {
+                               std::span<const double> weights)
+    : groups_(groups), jackknife_(groups.size(), weights), totals_(groups.front().size()) {
   for (const auto& group : groups) {
     masses_.push_back(std::accumulate(group.begin(), group.end(), 0.0));
     mass_ += masses_.back();
@@ -84,7 +83,7 @@ double RatioJackknife::without(std::size_t part, std::size_t group) const {
 double RatioJackknife::error(std::size_t part, std::span<const double> b) const {
   std::vector<double> values;
   for (std::size_t g = 0; g < groups_.size(); ++g) values.push_back(b[g] * without(part, g));
-  return jackknife_error(values, weights_);
+  return jackknife_.error(values);
 }
 
 }  // namespace wander

@@ -15,7 +15,20 @@
 
 namespace wander {
 
-// √Var θ from the θ_(g).  One group alone tells nothing: NaN.  No weights: they are equal.
+// √Var θ of many θ, which the same groups tell.
+class Jackknife {
+ public:
+  // No weights: they are equal.
+  explicit Jackknife(std::size_t groups, std::span<const double> weights = {});
+
+  // From the θ_(g).  One group alone tells nothing: NaN.
+  double error(std::span<const double> without) const;
+
+ private:
+  std::vector<double> rests_;  // W - w_g, in units of what it is with equal weights
+};
+
+// The same of one θ.
 double jackknife_error(std::span<const double> without, std::span<const double> weights = {});
 
 // θ without two groups.
@@ -41,7 +54,7 @@ class RatioJackknife {
  public:
   // x_gk, by group and part; a group's weight is in its x_gk already.
   explicit RatioJackknife(const std::vector<std::vector<double>>& groups,
-                          std::vector<double> weights = {});
+                          std::span<const double> weights = {});
 
   double value(std::size_t part) const;  // θ_k / b
   // θ_k / b without a group; NaN if nothing is left.
@@ -51,7 +64,7 @@ class RatioJackknife {
 
  private:
   const std::vector<std::vector<double>>& groups_;
-  std::vector<double> weights_;
+  Jackknife jackknife_;
   std::vector<double> totals_, masses_;  // by part; by group
   double mass_ = 0;
 };

@@ -126,6 +126,7 @@ FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& 
   const double mass = sum_of(masses);
   const auto lit = static_cast<std::size_t>(
       std::ranges::count_if(masses, [](double of_film) { return of_film > 0; }));
+  const Jackknife jackknife(parts.count(), weights);
   FilmEstimate film{.shape = std::move(shape)};
   make_room(film);
   std::vector<double> deviations(parts.count());  // squared, of all bins together
@@ -140,7 +141,7 @@ FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& 
       const double deviation = values[f] / b - share;
       deviations[f] += deviation * deviation;
     }
-    const double value = b * pixels * share, error = pixels * jackknife_error(values, weights);
+    const double value = b * pixels * share, error = pixels * jackknife.error(values);
     film.value.push_back(value);
     film.standard_error.push_back(error);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "mlt/run/reliability.h"
@@ -19,8 +20,13 @@ struct OfBin {
 // By luminance, summed over all bins.
 template <class ValueOfBin>
 double luminance_of(std::size_t bins, int channels, ValueOfBin&& value) {
+  const auto step = static_cast<std::size_t>(channels);
   double sum = 0;
-  for (std::size_t j = 0; j < bins; ++j) sum += luminance_weight(channels, j) * value(j);
+  for (std::size_t k = 0; k < step; ++k) {
+    double of_channel = 0;
+    for (std::size_t j = k; j < bins; j += step) of_channel += value(j);
+    sum += luminance_weight(channels, k) * of_channel;
+  }
   return sum;
 }
 
@@ -39,8 +45,11 @@ class RunLight {
     }
     for (std::size_t f = 0; f < masses_.size(); ++f) mass_ += masses_[f] /= members[f];
     samples_ = static_cast<double>(run.samples->samples());
-    for (std::size_t f = 0; f < masses_.size(); ++f)
+    for (std::size_t f = 0; f < masses_.size(); ++f) {
       parts_.push_back(luminance_of(bins(), channels, [&](std::size_t j) { return part(f, j); }));
+      const double rest = mass_ - masses_[f];
+      per_rest_.push_back(rest > 1e-12 * mass_ ? 1 / rest : not_known);
+    }
   }
 
   std::size_t films() const { return masses_.size(); }
@@ -62,36 +71,33 @@ class RunLight {
   double mean_of_samples() const {
     return luminance_of(bins(), channels_, [&](std::size_t j) { return of_samples(j).value; });
   }
-  // S_j / pixels, and the same without a film.
-  double of_chains(std::size_t bin) const {
-    double sum = 0;
-    for (std::size_t f = 0; f < films(); ++f) sum += part(f, bin);
+  // The terms of S_j / pixels: what each film has of it.
+  void add_parts(std::size_t bin, std::vector<double>& parts) const {
+    for (std::size_t f = 0; f < films(); ++f) parts.push_back(part(f, bin));
+  }
+  double of_chains(std::span<const double> parts) const {
+    const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
     return mass_ > 0 ? sum / mass_ : 0;
   }
-  double of_chains_without(double whole, std::size_t film, std::size_t bin) const {
-    return rest(whole, part(film, bin), film);
+  // With M the mass of all films and m that of one, which has a part d of the sum S M, by how much S changes without it:
+  //   (S M - d) / (M - m) - S = (S m - d) / (M - m).
+  double change_without(double whole, double part, std::size_t film) const {
+    return (whole * masses_[film] - part) * per_rest_[film];
   }
-  double mean_of_chains() const {
-    double sum = 0;
-    for (const double light : parts_) sum += light;
-    return mass_ > 0 ? sum / mass_ : 0;
-  }
-  double mean_of_chains_without(std::size_t film) const {
-    return rest(mean_of_chains(), parts_[film], film);
+  double mean_of_chains() const { return of_chains(parts_); }
+  double change_of_mean_without(std::size_t film) const {
+    return change_without(mean_of_chains(), parts_[film], film);
   }
 
  private:
   double part(std::size_t film, std::size_t bin) const {
     return run_.scale * run_.films->deposits(film, bin);
   }
-  double rest(double whole, double of_film, std::size_t film) const {
-    const double mass = mass_ - masses_[film];
-    return mass > 1e-12 * mass_ ? (whole * mass_ - of_film) / mass : not_known;
-  }
 
   const SharedLight& run_;
   int channels_;
   std::vector<double> masses_, parts_;  // by film: all its light, and the part that is in it
+  std::vector<double> per_rest_;        // 1 / (M - m) of each film
   double mass_ = 0, samples_ = 0;
 };
 
@@ -136,7 +142,7 @@ class LargePool {
     for (std::size_t p = 0; p < runs_.size(); ++p)
       for (std::size_t f = 0; f < runs_[p].films(); ++f) {
         const double b = without_[levels_.size()];
-        const double moved = runs_[p].mean_of_chains_without(f) - runs_[p].mean_of_chains();
+        const double moved = runs_[p].change_of_mean_without(f);
         levels_.push_back(b / (samples + b * (chains + shares_[p].pull * moved)));
       }
   }
@@ -157,18 +163,22 @@ class LargePool {
   };
   Light at(std::size_t bin, std::vector<double>& without) const {
     double samples = 0, variance = 0, chains = 0;
+    parts_.clear();
     of_chains_.clear();
     for (std::size_t p = 0; p < runs_.size(); ++p) {
       const OfBin found = runs_[p].of_samples(bin);
       samples += shares_[p].share * found.value;
       variance += shares_[p].share * shares_[p].share * found.variance;
-      chains += shares_[p].share * of_chains_.emplace_back(runs_[p].of_chains(bin));
+      const std::size_t first = parts_.size();
+      runs_[p].add_parts(bin, parts_);
+      of_chains_.push_back(runs_[p].of_chains(std::span(parts_).subspan(first)));
+      chains += shares_[p].share * of_chains_.back();
     }
     without.clear();
     for (std::size_t p = 0; p < runs_.size(); ++p)
       for (std::size_t f = 0; f < runs_[p].films(); ++f) {
         const std::size_t k = without.size();
-        const double moved = runs_[p].of_chains_without(of_chains_[p], f, bin) - of_chains_[p];
+        const double moved = runs_[p].change_without(of_chains_[p], parts_[k], f);
         without.push_back(levels_[k] *
                           (samples + without_[k] * (chains + shares_[p].pull * moved)));
       }
@@ -193,7 +203,7 @@ class LargePool {
   std::vector<RunShare> shares_;          // by run
   std::vector<double> weights_, levels_;  // by film
   double level_ = 1, of_samples_ = 0;
-  mutable std::vector<double> of_chains_;  // of one bin, by run
+  mutable std::vector<double> of_chains_, parts_;  // of one bin, by run and by film
 };
 
 }  // namespace
@@ -203,6 +213,7 @@ PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupF
   const int channels = channels_of(shape);
   const LargePool pool(runs, groups, constant, channels);
   const double pixels = static_cast<double>(pool.bins()) / channels;
+  const Jackknife jackknife(pool.films(), pool.weights());
   FilmEstimate film{.shape = std::move(shape)};
   make_room(film);
   std::vector<double> part_of_samples;
@@ -211,7 +222,7 @@ PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupF
   double of_samples = 0, of_chains = 0;                   // variance of all bins
   for (std::size_t j = 0; j < pool.bins(); ++j) {
     const auto [value, samples, variance] = pool.at(j, without);
-    const double of_films = jackknife_error(without, pool.weights());
+    const double of_films = jackknife.error(without);
     const double error = std::sqrt(variance + of_films * of_films);
     film.value.push_back(pixels * value);
     part_of_samples.push_back(pixels * samples);

@@ -219,12 +219,12 @@ PooledFilm pooled_film(std::span<const GroupFindings> groups, std::span<const in
                        const Constant& constant, std::vector<int> shape) {
   const Pool pool(groups, groups_of_runs, constant);
   const auto lit = std::ranges::count_if(groups, [](const auto& g) { return g.scale > 0; });
-  const std::vector<double> weights = weights_of(groups);
+  const Jackknife jackknife(groups.size(), weights_of(groups));
   FilmEstimate film{.shape = std::move(shape)};
   std::vector<double> of_samples;
   std::vector<double> without, deviations(groups.size());  // squared, of all bins together
   for (std::size_t j = 0; j < groups.front().film->bins(); ++j) {
-    const double value = pool.value(j, without), error = jackknife_error(without, weights);
+    const double value = pool.value(j, without), error = jackknife.error(without);
     film.value.push_back(value);
     of_samples.push_back(pool.of_samples(j));
     film.standard_error.push_back(error);
