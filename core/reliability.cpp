@@ -8,8 +8,9 @@ namespace wander {
 
 namespace {
 
-constexpr double fewest_own_events = fewest_effective_samples / 2;
-constexpr double fewest_events_around = 3 * fewest_effective_samples / 4;
+constexpr double fewest_claimed = fewest_effective_samples / 2;
+constexpr double fewest_around = 3 * fewest_effective_samples / 4;
+constexpr double fewest_own = 3 * fewest_effective_samples / 5, fewest_alone = 2 * fewest_around;
 constexpr double most_own_to_around = 3;
 constexpr double enough_around = 20 * fewest_effective_samples;
 
@@ -32,13 +33,17 @@ std::optional<double> own_weight(const FilmEstimate& film, std::size_t bin,
   return own >= 0 ? std::optional(own) : std::nullopt;
 }
 
-// The mean of them around a bin that has one.
-double weight_around(const FilmEstimate& film, const EventWeight& weight, const Grid& grid,
-                     std::size_t bin) {
+// Of the lit bins around one that is lit: what an event weighs there, itself among them, and the mean value of the others; of
+// itself, if none of them is lit.
+struct Around {
+  double weight, value;
+};
+Around around(const FilmEstimate& film, const EventWeight& weight, const Grid& grid,
+              std::size_t bin) {
   const auto channels = static_cast<std::size_t>(grid.channels);
   const auto columns = static_cast<std::size_t>(grid.columns), place = bin / channels;
   const auto row = static_cast<int>(place / columns), column = static_cast<int>(place % columns);
-  double sum = 0;
+  Around sum{0, 0};
   int count = 0;
   for (int r = std::max(0, row - grid.reach); r <= std::min(grid.rows - 1, row + grid.reach); ++r)
     for (int c = std::max(0, column - grid.reach);
@@ -47,11 +52,12 @@ double weight_around(const FilmEstimate& film, const EventWeight& weight, const 
           (static_cast<std::size_t>(r) * columns + static_cast<std::size_t>(c)) * channels +
           bin % channels;
       if (const auto w = own_weight(film, there, weight)) {
-        sum += *w;
+        sum.weight += *w;
+        if (there != bin) sum.value += film.value[there];
         ++count;
       }
     }
-  return sum / count;
+  return {sum.weight / count, count > 1 ? sum.value / (count - 1) : film.value[bin]};
 }
 
 }  // namespace
@@ -62,9 +68,12 @@ std::vector<bool> reliability(const FilmEstimate& film, const EventWeight& weigh
   for (std::size_t bin = 0; bin < film.value.size(); ++bin) {
     const auto own = own_weight(film, bin, weight);
     if (!own) continue;
-    const double value = film.value[bin], around = weight_around(film, weight, grid, bin);
-    reliable[bin] = value >= fewest_own_events * *own && value >= fewest_events_around * around &&
-                    (around <= most_own_to_around * *own || value >= enough_around * around);
+    const double value = film.value[bin];
+    const auto [w, v] = around(film, weight, grid, bin);
+    const bool is_known_around = v >= fewest_around * w && value >= fewest_own * w;
+    reliable[bin] = value >= fewest_claimed * *own &&
+                    (is_known_around || value >= fewest_alone * w) &&
+                    (w <= most_own_to_around * *own || value >= enough_around * w);
   }
   return reliable;
 }

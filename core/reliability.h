@@ -6,10 +6,13 @@
 //
 // What a bin claims of itself grows with what fell into it, and is too small where the value is: bins chosen by
 // their own claim are often those that claim too little, and a bin that has met none of the rare light
-// around it claims least.  So the lit bins around it, itself among them, say what an event weighs there: w̄, the
-// mean of their w, which is not small by chance as one of them may be.  By it the bin is known as v/w̄
-// events; of these it is asked three quarters of a hundred, and by its own claim a half, and that this is
-// no more than three times as much, unless they say two thousand: beside a lamp a wall may be known better than the lamp.
+// around it claims least.  Nor may its value decide: where bins have three quarters of a hundred events or a few less, those with
+// more by chance are too bright, all of them.  So the lit bins around it, itself among them, say what an event weighs
+// there: w̄, the mean of their w, which is not small by chance as one of them may be; and the others, how many events a bin
+// there has, v̄/w̄ by their mean value.  Of these it is asked three quarters of a hundred, and of v/w̄, its own by that weight,
+// three fifths, which few such bins lack; or of its own twice as many, where it is brighter than what is around it.  By its
+// own claim it is asked a half, and that this is no more than three times v/w̄, unless that is two thousand: beside a lamp a
+// wall may be known better than the lamp.
 #pragma once
 
 #include <cstdint>

@@ -163,6 +163,7 @@ class ChainRun final : public LiveRun {
     groups().serialize_seeds(archive);
     if (is_started) groups().serialize_chains(archive);
   }
+  void make_room() override { groups(); }
   void load(cereal::BinaryInputArchive& archive) override {
     int count = 0, made = 0, chains = 0;
     bool is_started = false;
@@ -260,7 +261,10 @@ class ChainRun final : public LiveRun {
   }
   // They take memory, and what a pilot and an adaptation decide makes them anew.
   Groups& groups() const {
-    if (!groups_) groups_ = make_(settings_, run_.session().seed, kernel());
+    if (groups_) return *groups_;
+    ChainSettings settings = settings_;
+    settings.chains_per_group = chains_made_;
+    groups_ = make_(settings, run_.session().seed, kernel());
     return *groups_;
   }
 

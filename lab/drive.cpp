@@ -282,10 +282,10 @@ class Drive {
   bool is_enough_to_keep() const { return run_.samples() >= keeper_.least; }
   void require_worth(bool is_worth_its_place) const {
     if (keeper_.least > 0 && !is_worth_its_place)
-      throw NothingComputed(
-          fmt::format("there were as many samples as the {} of the run that was begun again, which "
-                      "stays as it is",
-                      keeper_.least));
+      throw NothingComputed(fmt::format(
+          "there were as many samples as the {} of the film in its place, which stays as "
+          "it is",
+          keeper_.least));
   }
   void keep() {
     if (is_enough_to_keep()) write();

@@ -80,6 +80,8 @@ class LiveRun {
   virtual std::unique_ptr<Findings> no_findings() const = 0;
   virtual void add_to(Findings& all) const = 0;  // of runs of the same job
 
+  // Before load(), which cannot tell a want of memory from a state that is damaged: what the run takes, whatever its state is.
+  virtual void make_room() {}
   // The whole state, into a run that was made of the same scene, method, dials and seed.
   virtual void save(cereal::BinaryOutputArchive& archive) const = 0;
   virtual void load(cereal::BinaryInputArchive& archive) = 0;

@@ -152,10 +152,11 @@ std::string why_too_large(const Job& job, const MemoryNeed& need,
                           const AvailableMemory& available) {
   if (need.most() <= available.bytes) return {};
   const Size size(job);
-  std::string remedy = "a sensor of fewer bins";
+  std::string remedy = size.is_image() ? "an image of fewer pixels" : "a sensor of fewer bins";
   if (size.lengths > 0 && job.dials().film.by_length == Keep::always) remedy += ", no --by-length";
   if (size.maps > 0 && job.dials().film.maps == Keep::always) remedy += ", no --maps";
   if (need.chains > need.films) remedy += ", fewer --chains";
+  if (size.max_vertices > 100) remedy += ", shorter paths (--max-vertices)";
   if (!job.method().is_markov_chain() && !size.is_large) remedy += ", fewer threads (-t)";
   return fmt::format("the run needs about {} GB of memory, and {} has {} GB to give; take {}",
                      in_gigabytes(need.most()), available.word, in_gigabytes(available.bytes),

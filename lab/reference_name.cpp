@@ -24,15 +24,4 @@ std::string name_of_reference(const Rendering& rendering) {
                      count_in_words(static_cast<double>(rendering.samples)));
 }
 
-bool has_other_lengths(const Rendering& reference, int max_vertices) {
-  return reference.max_vertices > 0 && max_vertices > 0 && reference.max_vertices != max_vertices;
-}
-
-std::string words_of_lengths(const Rendering& reference, int max_vertices) {
-  return fmt::format(
-      "paths of up to {} vertices, not of up to {} as the film held against it: the light of the "
-      "others counts as error",
-      reference.max_vertices, max_vertices);
-}
-
 }  // namespace wander

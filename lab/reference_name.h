@@ -20,9 +20,4 @@ std::string name_of_reference(const Rendering& rendering);
 // Empty unless it is a reference.json.
 std::string origin_of(const Rendering& rendering);
 
-// Is a film with paths of up to so many vertices held against one with longer or shorter ones?  Where that is not known,
-// no; and what is wrong with it, in words that follow "has".
-bool has_other_lengths(const Rendering& reference, int max_vertices);
-std::string words_of_lengths(const Rendering& reference, int max_vertices);
-
 }  // namespace wander

@@ -46,6 +46,7 @@ void restore(LiveRun& run, const std::string& state) {
   Bytes buffer(state);
   std::istream bytes(&buffer);
   cereal::BinaryInputArchive archive(bytes);
+  run.make_room();
   try {
     run.load(archive);
   } catch (const std::bad_alloc&) {

@@ -1,11 +1,12 @@
 // The chains of a run, made one by one for those who show them: trace and replay.  They are the
-// chains that render() makes of the same scene, method and seed, with the target of light on an image, as long as its
-// budget is enough for all of them and asks for no more seeds than `fewest_seeds`.  Nothing is deposited.
+// chains that render() makes of the same scene, method and seed for a film of the chains alone, with the target of light on
+// an image, as long as its budget is enough for all of them and asks for no more seeds than `fewest_seeds`.  Nothing is deposited.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "lab/live_run.h"
 #include "mlt/run/chain_groups.h"
 #include "mlt/seeds/nothing_found.h"
 
@@ -55,17 +56,22 @@ class ShownChains {
   }
 
  private:
+  // In rounds as long as those of render(), and no more of them than that makes where samples are costly.
   void make_seeds(Run& run, std::uint64_t of_each) {
-    constexpr std::uint64_t usual = 64;  // of each group, between two reports
-    const std::uint64_t of_a_round = std::min(usual, groups_.seed_stride());
-    for (std::uint64_t done = 0; done < of_each;) {
+    for (std::uint64_t done = 0; done < of_each && !is_costly();) {
       if (run.is_interrupted()) throw NothingComputed();
-      const std::uint64_t samples = std::min(of_a_round, of_each - done);
+      const std::uint64_t samples = std::min(groups_.seed_stride(), of_each - done);
       groups_.add_seeds(samples);
       done += samples;
       run.report({static_cast<double>(done) / static_cast<double>(of_each), done * groups_.count(),
                   run.seconds(), "seed pass"});
     }
+  }
+
+  bool is_costly() const {
+    const SeedTally made = groups_.tally();
+    return SeedPass{.slices = groups_.count(), .samples = made.samples, .rays = made.rays}
+        .is_costly();
   }
 
   // The first chain of every group before the second of any: chains of one group share their slice

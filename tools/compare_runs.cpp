@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "lab/compare/long_reference.h"
 #include "lab/compare/reference.h"
 #include "lab/failure.h"
 #include "lab/load_warning.h"
+#include "lab/reference_doubts.h"
 #include "lab/scene_source.h"
 
 namespace wander::compare {
@@ -36,6 +38,13 @@ void collect_warnings(Runs& runs) {
   for (std::size_t c = 0; c < runs.contenders.size(); ++c)
     for (const std::string& warning : runs.details[c].warnings)
       runs.warnings.push_back(fmt::format("{}: {}", runs.contenders[c].label, warning));
+  const auto is_of_reference = [&](const compare::Run& run) {
+    return std::ranges::find(runs.reference.seeds, run.seed) != runs.reference.seeds.end();
+  };
+  if (const auto run = std::ranges::find_if(runs.runs, is_of_reference); run != runs.runs.end())
+    runs.warnings.push_back(fmt::format("{} with seed {} and the reference: {}",
+                                        runs.contenders[run->contender].label, run->seed,
+                                        doubt_of_one_seed));
   const auto& doubts = runs.reference.doubts;
   runs.warnings.insert(runs.warnings.end(), doubts.begin(), doubts.end());
   if (!runs.failures.empty())

@@ -9,6 +9,7 @@
 #include "core/tint.h"
 #include "lab/failure.h"
 #include "lab/method.h"
+#include "lab/reference_doubts.h"
 #include "lab/reference_name.h"
 #include "lab/wording.h"
 #include "records/film_layers.h"
@@ -116,16 +117,6 @@ std::string text_of_run(const RunRecord& run) {
   return text;
 }
 
-// Samples of a seed pass have numbers of their own (rng.h: Purpose).
-bool may_share_samples(const Rendering& run, const Rendering& reference) {
-  const auto has_seeds = [](const Rendering& r) {
-    return std::ranges::any_of(
-        methods(), [&](const Method& m) { return m.name == r.method && m.is_markov_chain(); });
-  };
-  return run.samples > 0 && reference.samples > 0 && run.seed == reference.seed &&
-         has_seeds(run) == has_seeds(reference);
-}
-
 ordered_json compare_runs(const RunRecord& run, const RunRecord& reference) {
   const FilmEstimate &film = run.rendering.film, &expected = reference.rendering.film;
   if (film.shape != expected.shape || film.value.size() != expected.value.size() ||
@@ -145,11 +136,11 @@ ordered_json compare_runs(const RunRecord& run, const RunRecord& reference) {
           {"other_lengths", has_other_lengths(reference.rendering, run.rendering.max_vertices)
                                 ? words_of_lengths(reference.rendering, run.rendering.max_vertices)
                                 : ""},
-          {"may_share_samples", may_share_samples(run.rendering, reference.rendering)},
+          {"may_share_samples", may_share_samples(run, reference)},
           {"relative_rmse", finite_or_null(comparison.relative_rmse)},
           {"bins", comparison.bins},
           {"chi2_per_degree", finite_or_null(comparison.chi2_per_degree)},
-          {"largest_z", finite_or_null(comparison.largest_z)},
+          {"largest_z", comparison.bins > 0 ? finite_or_null(comparison.largest_z) : nullptr},
           {"covered_share", finite_or_null(comparison.covered_share)}};
 }
 
@@ -157,7 +148,7 @@ std::string text_of_comparison(const ordered_json& comparison) {
   std::string text = fmt::format("against the reference ({})\n",
                                  comparison["reference"]["name"].get<std::string>());
   if (!comparison["same_scene"].get<bool>())
-    text += "  warning         the reference is of another scene file\n";
+    text += fmt::format("  warning         the reference {}\n", doubt_of_another_scene);
   if (const auto& lengths = comparison["other_lengths"].get_ref<const std::string&>();
       !lengths.empty())
     text += fmt::format("  warning         the reference has {}\n", lengths);

@@ -5,7 +5,6 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "lab/compare/comparison.h"
 #include "lab/probe.h"
@@ -17,12 +16,6 @@ namespace wander {
 
 nlohmann::ordered_json inspect_scene(const SceneDocument& document, const Probe& probe);
 std::string text_of_scene(const nlohmann::ordered_json& inspection);
-
-// May two films be of the same samples, by their seeds, so that they differ by less than their errors say?
-bool may_share_samples(const Rendering& run, const Rendering& reference);
-inline constexpr std::string_view doubt_of_one_seed =
-    "both are of one seed: they agree better than they are right, as far as they were made of the "
-    "same samples; take runs of two seeds (-s)";
 
 // A run held against another one of the same scene.  Throws UsageError if the films differ in
 // shape.

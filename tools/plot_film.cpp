@@ -1,6 +1,7 @@
 #include "tools/plot_film.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -8,10 +9,10 @@
 #include <filesystem>
 
 #include "lab/failure.h"
+#include "lab/reference_doubts.h"
 #include "lab/reference_name.h"
 #include "lab/scene_source.h"
 #include "records/run_json.h"
-#include "tools/inspection.h"
 
 namespace wander {
 
@@ -76,16 +77,32 @@ std::string label_of(const Film& film, const std::vector<Film>& films) {
   return same > 1 ? fmt::format("{} ({})", method, short_name(film.path)) : method;
 }
 
+void warn_of_reference(const Film& reference, std::span<const Film> films) {
+  for (const Film& film : films)
+    for (const std::string& doubt : doubts_of(reference.run, film.run))
+      spdlog::warn("{} and its reference {}: {}", film.path, reference.path, doubt);
+}
+
 figure::LabelledFilm reference_film(const Film& film, std::span<const Film> others) {
-  for (const Film& other : others) {
-    const Rendering &run = other.run.rendering, &reference = film.run.rendering;
-    if (may_share_samples(run, reference))
-      spdlog::warn("{} and its reference {}: {}", other.path, film.path, doubt_of_one_seed);
-    if (has_other_lengths(reference, run.max_vertices))
-      spdlog::warn("{} and its reference {}: the reference has {}", other.path, film.path,
-                   words_of_lengths(reference, run.max_vertices));
-  }
+  warn_of_reference(film, others);
   return {name_of_reference(film.run.rendering), film.run.rendering};
+}
+
+std::string title_of(std::span<const Film> films) {
+  std::vector<std::string> names;
+  for (const Film& film : films) {
+    const std::string& name = film.run.provenance.scene_name;
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void warn_of_scenes(std::span<const Film> films) {
+  for (const Film& film : films)
+    if (!may_be_the_same(film.run.provenance.scene_digest,
+                         films.front().run.provenance.scene_digest))
+      spdlog::warn("{} is of another scene than {}: each shows light of its own", film.path,
+                   films.front().path);
 }
 
 std::string film_svg(const Film& first, const PlotOptions& options) {
@@ -94,7 +111,8 @@ std::string film_svg(const Film& first, const PlotOptions& options) {
   std::vector<Film> films{first};
   for (std::size_t k = 1; k < options.files.size(); ++k)
     films.push_back(require_film(options.files[k], first));
-  figure::FilmFigureOptions how{.title = options.title.value_or(first.run.provenance.scene_name),
+  warn_of_scenes(films);
+  figure::FilmFigureOptions how{.title = options.title.value_or(title_of(films)),
                                 .axes = first.axes(),
                                 .inset = first.scene,
                                 .reference = std::nullopt,

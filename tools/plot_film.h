@@ -29,7 +29,12 @@ std::optional<Film> find_film(const std::string& path);
 Film require_film(const std::string& path, const Film& first);
 // The method, with the name of the run where two runs share a method.
 std::string label_of(const Film& film, const std::vector<Film>& films);
-// Beside `others`, of which it may share samples; a warning says so.
+// Warnings: what is to be doubted (lab/reference_doubts.h) where films are held against one, or drawn together.
+void warn_of_reference(const Film& reference, std::span<const Film> films);
+void warn_of_scenes(std::span<const Film> films);
+// The name of their scene, or of all their scenes.
+std::string title_of(std::span<const Film> films);
+// Beside `others`, which are held against it.
 figure::LabelledFilm reference_film(const Film& film, std::span<const Film> others);
 
 // All files of the command line; `first` is the first of them.

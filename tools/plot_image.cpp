@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -57,18 +58,23 @@ std::string image_svg(Film first, const PlotOptions& options) {
     others.push_back(require_film(options.files[k], first));
   if (!options.reference.empty()) others.push_back(require_film(options.reference, first));
   for (const Film& film : others) require_same_shape(film, first);
-  figure::ImageFigureOptions how{.title = options.title.value_or(first.run.provenance.scene_name),
-                                 .value = value_of(first.run),
-                                 .reference = std::nullopt,
-                                 .exposure = options.exposure.value_or(0),
-                                 .width = options.width};
   std::optional<Film> reference;
   if (!options.reference.empty()) {
     reference = std::move(others.back());
     others.pop_back();
   }
   others.insert(others.begin(), std::move(first));
-  if (reference) how.reference = reference_film(*reference, others);
+  figure::ImageFigureOptions how{.title = options.title.value_or(title_of(others)),
+                                 .value = value_of(others.front().run),
+                                 .reference = std::nullopt,
+                                 .exposure = options.exposure.value_or(0),
+                                 .width = options.width};
+  if (reference)
+    how.reference = reference_film(*reference, others);
+  else if (others.size() == 2)  // the first of which is held against the second
+    warn_of_reference(others.back(), std::span(others).first(1));
+  else
+    warn_of_scenes(others);
   return figure::image_figure(labelled(std::move(others)), how);
 }
 

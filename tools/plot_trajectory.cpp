@@ -1,10 +1,12 @@
 #include "tools/plot_trajectory.h"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 #include "core/image_shape.h"
 #include "draw/figure/image_maps.h"
@@ -25,9 +27,50 @@ namespace wander {
 
 namespace {
 
+std::string_view kind_of(std::string_view option) { return option.substr(2); }
+
+std::optional<std::int32_t> index_of(const std::string& word, const std::vector<std::string>& known,
+                                     std::string_view option) {
+  if (word.empty()) return std::nullopt;
+  const auto found = std::ranges::find(known, word);
+  if (found != known.end()) return static_cast<std::int32_t>(found - known.begin());
+  const std::vector<std::string_view> names(known.begin(), known.end());
+  throw UsageError(fmt::format("{}: {}", option, unknown_word(kind_of(option), word, names)));
+}
+
+// How many draws have numbers below this one (trajectory.h: first_step, every).
+int places_before(int number, const Trajectory& trajectory) {
+  const auto n = static_cast<std::uint64_t>(number);
+  if (n <= trajectory.first_step) return 0;
+  const std::uint64_t places = (n - trajectory.first_step - 1) / trajectory.every + 1;
+  return static_cast<int>(std::min(places, static_cast<std::uint64_t>(trajectory.draws)));
+}
+
+std::string draws_in_words(const Trajectory& trajectory) {
+  if (trajectory.draws == 0) return "no draws";
+  const std::uint64_t last =
+      trajectory.first_step + static_cast<std::uint64_t>(trajectory.draws - 1) * trajectory.every;
+  return fmt::format("the draws {} to {}{}", trajectory.first_step, last,
+                     trajectory.every > 1 ? fmt::format(", one of {}", trajectory.every) : "");
+}
+
+// The course of a chain is that of all its steps.
+void require_whole_chains(const TrajectoryPlotOptions& wanted) {
+  using enum TrajectoryFigure;
+  if (wanted.figure != trace && wanted.figure != autocorrelation) return;
+  for (const auto& [option, word] :
+       {std::pair("--mutation", &wanted.mutation), std::pair("--class", &wanted.path_class)})
+    if (!word->empty())
+      throw UsageError(fmt::format(
+          "{} {}: it narrows paths, acceptance and density; the figures trace and autocorrelation "
+          "are of all steps of a chain",
+          option, *word));
+}
+
 void require_drawable(const TrajectoryRecord& record, const PlotOptions& options) {
   const std::string& file = options.files.front();
   const bool in_space = record.trajectory.dimension == 3;
+  require_whole_chains(options.trajectory);
   if (options.files.size() > (in_space ? 2u : 1u))
     throw UsageError(file + " is a trajectory; trajectories are drawn one at a time");
   if (!options.reference.empty())
@@ -40,17 +83,6 @@ void require_drawable(const TrajectoryRecord& record, const PlotOptions& options
                      "drawn of it");
 }
 
-std::string_view kind_of(std::string_view option) { return option.substr(2); }
-
-std::optional<std::int32_t> index_of(const std::string& word, const std::vector<std::string>& known,
-                                     std::string_view option) {
-  if (word.empty()) return std::nullopt;
-  const auto found = std::ranges::find(known, word);
-  if (found != known.end()) return static_cast<std::int32_t>(found - known.begin());
-  const std::vector<std::string_view> names(known.begin(), known.end());
-  throw UsageError(fmt::format("{}: {}", option, unknown_word(kind_of(option), word, names)));
-}
-
 figure::StepFilter filter_of(const Trajectory& trajectory, const PlotOptions& options) {
   const TrajectoryPlotOptions& wanted = options.trajectory;
   figure::StepFilter filter;
@@ -61,11 +93,12 @@ figure::StepFilter filter_of(const Trajectory& trajectory, const PlotOptions& op
     filter.chains = {*wanted.chain};
   }
   if (wanted.draws) {
-    if (wanted.draws->first >= trajectory.draws)
-      throw UsageError(fmt::format("--draws {}:…: {} has the draws 0 to {}", wanted.draws->first,
-                                   options.files.front(), trajectory.draws - 1));
-    filter.first = wanted.draws->first;
-    filter.end = wanted.draws->end;
+    filter.first = places_before(wanted.draws->first, trajectory);
+    filter.end = places_before(wanted.draws->end, trajectory);
+    if (filter.first >= std::min(filter.end, trajectory.draws))
+      throw UsageError(fmt::format("--draws {}:{}: {} has {}", wanted.draws->first,
+                                   wanted.draws->end, options.files.front(),
+                                   draws_in_words(trajectory)));
   }
   filter.mutation = index_of(wanted.mutation, trajectory.mutations, "--mutation");
   filter.path_class = index_of(wanted.path_class, trajectory.classes, "--class");
@@ -102,7 +135,8 @@ description::Scene scene_without_files(const TrajectoryRecord& record, const std
 }
 
 // The film that the paths are drawn over, of the same camera.
-std::string backdrop(const description::Scene& scene, const PlotOptions& options) {
+std::string backdrop(const TrajectoryRecord& record, const description::Scene& scene,
+                     const PlotOptions& options) {
   const std::string& file = options.files.back();
   const std::optional<Film> film = find_film(file);
   if (!film || !film->is_image())
@@ -117,6 +151,9 @@ std::string backdrop(const description::Scene& scene, const PlotOptions& options
     throw UsageError(fmt::format("{} has {}, and the camera of {} {} x {}: their pictures differ",
                                  file, extent_in_words(image.shape), options.files.front(),
                                  resolution[0], resolution[1]));
+  if (!may_be_the_same(film->run.provenance.scene_digest, record.provenance.scene_digest))
+    spdlog::warn("{} is of another scene than {}, whose paths are drawn over it", file,
+                 options.files.front());
   const FilmEstimate shown = figure::averaged(image);
   const ImageShape size(shown.shape);
   const double white = white_of(image) / std::exp2(options.exposure.value_or(0));
@@ -130,7 +167,7 @@ figure::Stage stage_of(const TrajectoryRecord& record, const description::Scene&
   const SceneFaces faces = read_faces(options.files.front());
   const figure::View view = figure::view_of(scene, faces);
   return figure::space_stage(view, figure::wireframe(faces, view.eye()),
-                             options.files.size() > 1 ? backdrop(scene, options) : "");
+                             options.files.size() > 1 ? backdrop(record, scene, options) : "");
 }
 
 }  // namespace

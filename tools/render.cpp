@@ -51,7 +51,7 @@ Beginning beginning_of(const RenderOptions& options, const RenderTask& task) {
 // ends.
 Keeper keeper_in(RunDirectory& directory, const RenderOptions& options, const RenderTask& task) {
   Keeper keeper = keeper_for(options, task.budget);
-  keeper.least = task.samples_before.value_or(0);
+  keeper.least = std::max(task.samples_before.value_or(0), task.samples_in_place);
   return directory.keeper(std::move(keeper), task.run);
 }
 

@@ -145,6 +145,23 @@ void aim_further(RenderTask& task, const std::string& text,
   run.budget = text;
 }
 
+// The last checkpoint of a run may not have been written, where a disk was full: then its film is ahead of it, and stays where
+// it is until there is as much again.
+std::uint64_t samples_ahead_of(const Checkpoint& run, const Budget& budget,
+                               const std::filesystem::path& directory) {
+  const auto film = find_run_alone(directory);
+  if (!film || !film->rendering.complete || film->rendering.samples <= run.run.headway.samples)
+    return 0;
+  const std::uint64_t samples = film->rendering.samples;
+  const auto* count = std::get_if<SampleBudget>(&budget);
+  if (count && count->samples < samples)
+    throw UsageError(fmt::format(
+        "{} holds a film of {} samples and a checkpoint of {}, which is to be carried on "
+        "to {} only; give a budget of no fewer samples than the film has (-b {})",
+        directory.string(), samples, run.run.headway.samples, count->samples, samples));
+  return samples;
+}
+
 RenderTask continued(const RenderOptions& options, const Global& global) {
   require_not_merged(global.out);
   Checkpoint run = read_checkpoint(global.out, anew);
@@ -163,6 +180,7 @@ RenderTask continued(const RenderOptions& options, const Global& global) {
   Job job(scene->scene, find_method(run.method), run.turned());
   say(job, scene->digest.text);
   RenderTask task{std::move(run), *std::move(scene), std::move(job), parse_budget(text)};
+  task.samples_in_place = samples_ahead_of(task.run, task.budget, global.out);
   if (is_new_budget) aim_further(task, text, global.out);
   return task;
 }

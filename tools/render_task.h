@@ -36,6 +36,7 @@ struct RenderTask {
   bool is_new_budget = false;  // another than that of the run that is carried on
   // Of that run, if it is begun again, for what it had planned is no plan for this budget.
   std::optional<std::uint64_t> samples_before{};
+  std::uint64_t samples_in_place = 0;  // of a film that is ahead of the checkpoint beside it
 
   bool is_begun_again() const { return samples_before.has_value(); }
 };

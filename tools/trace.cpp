@@ -198,8 +198,9 @@ One draw is one step of a chain: what was proposed, every term of its acceptance
 probability, and the state after the decision.  A file with the ending .csv has one row
 per draw; any other is netCDF-4 and opens with arviz.from_netcdf.
 
-The chains are those that `render` runs by the same method with the same scene, dials
-and seed, and a budget of 256 to 131072 mutations.  A chain of mmlt keeps to paths of one
+The chains are those that `render --film chains --target light --kernel 1` runs by the same
+method with the same scene, dials and seed, and a budget of 256 to 131072 mutations; where
+samples find light often, those of its pooled film, too.  A chain of mmlt keeps to paths of one
 length: the lengths share the chains in proportion to their light.  Ctrl-C saves the draws
 that all chains have.
 

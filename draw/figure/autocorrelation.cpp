@@ -52,7 +52,7 @@ struct Curves {
   std::vector<std::vector<double>> chains{};
   std::vector<double> together{};
   std::size_t constant = 0;  // chains that do not
-  double time = 0;           // integrated autocorrelation time, in draws; NaN if it cannot be told
+  double time = 0;           // integrated autocorrelation time, in steps; NaN if it cannot be told
 };
 
 Curves curves_of(const Steps& steps, const Functional& functional, int lags) {
@@ -72,7 +72,7 @@ Curves curves_of(const Steps& steps, const Functional& functional, int lags) {
     curves.chains.push_back(std::move(rho));
   }
   curves.together = combined_autocorrelation(draws, static_cast<std::size_t>(lags));
-  curves.time = autocorrelation_time(draws);
+  curves.time = autocorrelation_time(draws) * static_cast<double>(steps.trajectory().every);
   return curves;
 }
 
@@ -104,9 +104,18 @@ std::string title(const Curves& curves) {
 }
 
 std::string note(const Curves& curves) {
-  if (curves.chains.empty()) return "does not change";
+  if (curves.chains.empty())
+    return curves.together.empty() ? "does not change" : "changes in no chain";
   if (curves.constant == 0) return "";
   return fmt::format("{} chain{} without change", curves.constant, curves.constant == 1 ? "" : "s");
+}
+
+// For a line of text that ends here, over whatever runs there.
+void draw_ground(Svg& svg, Vector end, double text_width) {
+  const Vector corner = end - Vector{text_width + 1, style::small_size};
+  svg.path("M" + coordinates(corner) + "h" + number(text_width + 2) + "v" +
+               number(1.3 * style::small_size) + "h" + number(-text_width - 2) + "Z",
+           {{"fill", style::paper}});
 }
 
 void draw_panel(Svg& svg, const Curves& curves, const LinearScale& x, const LinearScale& y) {
@@ -119,8 +128,11 @@ void draw_panel(Svg& svg, const Curves& curves, const LinearScale& x, const Line
     draw_curve(svg, curves.together, x, y, "together", thick, style::ink);
   svg.text({(x.page.low + x.page.high) / 2, y.page.high - 4}, title(curves),
            {.size = style::small_size, .anchor = "middle"});
-  if (const std::string text = note(curves); !text.empty())
-    svg.text({x.page.high, y.page.high + 8}, text, {.size = style::small_size, .anchor = "end"});
+  if (const std::string text = note(curves); !text.empty()) {
+    const Vector end{x.page.high, y.page.high + 8};
+    draw_ground(svg, end, text_width(text, style::small_size));
+    svg.text(end, text, {.size = style::small_size, .anchor = "end"});
+  }
 }
 
 Quantity lag_of(const Trajectory& t) {
@@ -167,7 +179,7 @@ Block autocorrelation_chart(const Steps& steps, double width) {
   const double row_height = header + panel_height + bottom_axis_height;
   return {
       fmt::format("Autocorrelation, {}; thin: each chain about its own mean, thick: all together, "
-                  "of which τ is the integrated time",
+                  "of which τ is the integrated time, in steps",
                   in_words(steps)),
       row_height * static_cast<double>(all.size() / columns), [=](Svg& svg, Vector top_left) {
         const double across = width_of(columns);

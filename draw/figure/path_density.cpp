@@ -34,7 +34,10 @@ Block density_picture(const Steps& steps, const description::Scene& scene, doubl
                                ink_colours(),
                                Ground::light},
                               width, most_height);
-  block.heading = fmt::format("Density of visited paths, {}", in_words(steps));
+  bool is_empty = true;
+  steps.each([&](const Step&) { is_empty = false; });
+  block.heading = fmt::format("Density of visited paths, {}{}", in_words(steps),
+                              is_empty ? ": no step was chosen" : "");
   return block;
 }
 

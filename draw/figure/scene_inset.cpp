@@ -18,7 +18,10 @@ namespace {
 constexpr double padding = 7, bar_height = 16;
 
 // The longest of 1, 2, 5 times a power of ten that is at most this long.
-double nice_length(double most) { return nice_ticks({0, most}, 2).values.back(); }
+double nice_length(double most) {
+  const double power = std::pow(10, std::floor(std::log10(most))), mantissa = most / power;
+  return (mantissa < 2 ? 1 : mantissa < 5 ? 2 : 5) * power;
+}
 
 void draw_scale_bar(Svg& svg, const PageMap& map, Vector bottom_left, double most_points) {
   const double metres = nice_length(most_points / map.scale);

@@ -115,7 +115,8 @@ std::string in_words(const Steps& steps) {
   std::string text = chains.size() == 1 ? fmt::format("chain {}", chains.front())
                                         : fmt::format("{} chains", chains.size());
   if (steps.draws() == 0) return text + ", no draws";
-  text += fmt::format(", draws {} to {}", steps.first(), steps.first() + steps.draws() - 1);
+  text += fmt::format(", draws {} to {}", steps.number(steps.first()),
+                      steps.number(steps.first() + steps.draws() - 1));
   if (filter.mutation) text += fmt::format(", mutation {}", word(t.mutations, *filter.mutation));
   if (filter.path_class) text += fmt::format(", class {}", word(t.classes, *filter.path_class));
   return text;

@@ -103,18 +103,26 @@ double text_width(std::string_view text, double font_size) {
   return ems * font_size;
 }
 
+// In the middle, for names that begin alike often differ at their ends.
 std::string shortened(std::string_view text, double font_size, double width) {
   if (text_width(text, font_size) <= width) return std::string(text);
   constexpr std::string_view ellipsis = "…";
-  double left = width - text_width(ellipsis, font_size);
-  std::size_t end = 0;
-  while (end < text.size()) {
-    const std::size_t bytes = next_character(text.substr(end)).bytes;
-    left -= text_width(text.substr(end, bytes), font_size);
-    if (left < 0) break;
-    end += bytes;
+  std::vector<std::string_view> characters;
+  while (!text.empty()) {
+    characters.push_back(text.substr(0, next_character(text).bytes));
+    text.remove_prefix(characters.back().size());
   }
-  return std::string(text.substr(0, end)) + std::string(ellipsis);
+  double left = width - text_width(ellipsis, font_size);
+  std::string head, tail;
+  for (std::size_t k = 0; k < characters.size(); ++k) {
+    const bool is_of_head = k % 2 == 0;
+    const std::string_view next =
+        is_of_head ? characters[k / 2] : characters[characters.size() - 1 - k / 2];
+    left -= text_width(next, font_size);
+    if (left < 0) break;
+    is_of_head ? head += next : tail.insert(0, next);
+  }
+  return head + std::string(ellipsis) + tail;
 }
 
 std::vector<std::string> wrapped(std::string_view text, double font_size, double width) {

@@ -29,7 +29,7 @@ std::string escaped(std::string_view text);
 // font metrics.
 double text_width(std::string_view text, double font_size);
 
-// `text`, or its beginning with an ellipsis when it would be wider than `width`.
+// `text`, or its beginning and its end with an ellipsis between them when it would be wider than `width`.
 std::string shortened(std::string_view text, double font_size, double width);
 
 // The text in lines that are at most this wide, broken between words; a wider word is shortened.

@@ -102,17 +102,26 @@ void of_the_reference(std::vector<std::string>& cautions, const View& view,
 }
 
 void of_the_replicates(std::vector<std::string>& cautions, const View& view) {
-  Named disagreeing, biased;
+  Named disagreeing, biased, dark;
   for (std::size_t c = 0; c < view.contenders(); ++c) {
+    const Cell& cell = view.comparison.cells[view.at(c)];
+    if (cell.is_dark) {
+      dark.add(view.comparison, c, percent(cell.relative_rmse.value));
+      continue;
+    }
     const Disagreement& found = view.disagreements[view.at(c)];
     if (found.ratio > found.threshold)
       disagreeing.add(view.comparison, c, number_text(found.ratio, 2) + " times");
-    const Measured& bias = view.comparison.cells[view.at(c)].bias;
+    const Measured& bias = cell.bias;
     if (bias.interval.low > 0)
       biased.add(view.comparison, c,
                  fmt::format("{}, {} to {}", percent(bias.value), percent(bias.interval.low),
                              percent(bias.interval.high)));
   }
+  dark.say(
+      cautions,
+      "No replicate found any light, so that the error is that of black films, and tells nothing "
+      "of how good the method is: {}.");
   disagreeing.say(cautions,
                   "Replicates differ by more than their own error bars say, so that some may miss "
                   "a part of the light: {}.");

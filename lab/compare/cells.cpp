@@ -79,6 +79,12 @@ double root(double x) { return std::sqrt(std::max(x, 0.0)); }
 double inverse(double x) { return 1 / x; }
 double itself(double x) { return x; }
 
+bool is_dark(const CellRuns& runs) {
+  return std::ranges::all_of(runs.runs, [](const Run* run) {
+    return std::ranges::all_of(run->film.value, [](double value) { return value == 0; });
+  });
+}
+
 double mean_of(const std::vector<double>& values) { return Moments(values).mean(); }
 
 void measure_self_knowledge(MeasuredCell& result, const CellRuns& runs) {
@@ -129,6 +135,7 @@ MeasuredCell measure_cell(const CellRuns& runs, const Yardstick& yardstick, cons
   Cell& cell = result.cell;
   cell.replicates = runs.runs.size();
   if (runs.runs.empty()) return result;
+  cell.is_dark = yardstick.mean_square > 0 && is_dark(runs);
   cell.seconds =
       median_and_range(over_runs(runs, [&](auto& r, auto&) { return r.time(runs.time); }));
   cell.samples = median_and_range(

@@ -32,6 +32,8 @@ struct Measured {
 // A contender at a budget: a point of its curve.
 struct Cell {
   std::size_t contender = 0, budget = 0, replicates = 0;
+  // No run found any light, where there is some: the error is that of a film that is black.
+  bool is_dark = false;
   // Medians; the interval is the range of the replicates.
   Measured seconds{}, samples{};
   Measured relative_rmse;  // √(Σ(x-I)² / Σ I²), root of the mean square over replicates

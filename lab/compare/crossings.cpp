@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace wander::compare {
@@ -46,6 +47,8 @@ Crossing measure_pair(const Measurements& all, const std::vector<std::vector<Poi
   crossing.behind = behind;
   crossing.seconds = time_ahead(points[ahead], points[behind]);
   const MeasuredCell &a = all.at(ahead, budget), &b = all.at(behind, budget);
+  // Black films are all alike, and say nothing of how far those of a longer run are off.
+  if (a.cell.is_dark || b.cell.is_dark) return crossing;
   Draws ratios = ratios_of(b.draws, a.draws);
   crossing.p_value = p_value(ratios);
   if (!(a.relative_mse > 0)) return crossing;
@@ -64,6 +67,8 @@ std::vector<std::size_t> ranking_at(const Measurements& all, std::size_t budget)
   std::iota(ranking.begin(), ranking.end(), std::size_t{0});
   const auto error = [&](std::size_t contender) {
     const MeasuredCell& cell = all.at(contender, budget);
+    if (cell.cell.is_dark)
+      return std::numeric_limits<double>::max();  // behind all that found light
     // Of a dark reference there are no relative errors.
     const double square = std::isnan(cell.relative_mse) ? cell.cell.rmse.value : cell.relative_mse;
     return std::isnan(square) ? std::numeric_limits<double>::infinity() : square;

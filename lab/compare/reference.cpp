@@ -14,6 +14,7 @@
 #include "core/requirements.h"
 #include "core/tint.h"
 #include "lab/failure.h"
+#include "lab/reference_doubts.h"
 #include "lab/reference_name.h"
 #include "lab/wording.h"
 #include "records/run_json.h"
@@ -75,21 +76,24 @@ Reference reference_from_file(const std::filesystem::path& file, const descripti
   require_sound(file, film);
   if (!may_be_the_same(run.provenance.scene_digest, provenance.scene_digest))
     warnings.push_back(
-        fmt::format("--reference {} is of another scene, by its text or by a mesh or texture: "
-                    "errors are measured against that scene's film",
-                    file.string()));
+        fmt::format("--reference {} {}: errors are measured against that scene's film",
+                    file.string(), doubt_of_another_scene));
   if (has_other_lengths(run.rendering, asked.max_vertices))
     warnings.push_back(fmt::format("--reference {} has {}", file.string(),
                                    words_of_lengths(run.rendering, asked.max_vertices)));
   if (!run.rendering.complete)
     warnings.push_back(
         fmt::format("--reference {} is of a run that was interrupted", file.string()));
+  std::vector<std::uint64_t> seeds;
+  if (may_be_the_same(run.provenance.scene_digest, provenance.scene_digest))
+    seeds = seeds_of(run.rendering);
   const std::string origin =
       fmt::format("{}{}, made by `{}`", is_exact(origin_of(run.rendering)) ? "exact: " : "",
                   file.string(), run.provenance.command_line);
   return {.film = std::move(run.rendering.film),
           .origin = origin,
-          .max_vertices = run.rendering.max_vertices};
+          .max_vertices = run.rendering.max_vertices,
+          .seeds = std::move(seeds)};
 }
 
 std::optional<Reference> exact_reference(const description::Scene& scene, std::string& why) {

@@ -46,8 +46,9 @@ struct FailedRun {
 struct Reference {
   FilmEstimate film;   // standard_error is its own, and zero where it is exact
   std::string origin;  // in words: "exact: ...", a file, or the runs that it is the mean of
-  std::vector<std::string> doubts{};  // why it may not be what it seems; each a sentence
-  int max_vertices = 0;               // of its paths; 0: that is not known
+  std::vector<std::string> doubts{};   // why it may not be what it seems; each a sentence
+  int max_vertices = 0;                // of its paths; 0: that is not known
+  std::vector<std::uint64_t> seeds{};  // of a file of this scene: those that its samples have
 };
 
 // Gives the films that runs do not hold (film_loan.h).

@@ -16,11 +16,12 @@ namespace {
 constexpr std::size_t most_sentences = 6;
 constexpr std::size_t most_named = 4;  // contenders or pairs, in one sentence
 
-// Two digits, or whole numbers.
-constexpr int whole_digits = 7;
+// Two digits, or whole numbers up to a hundred thousand.
+constexpr int whole_digits = 5;
 std::string digits(double x) {
   if (!std::isfinite(x)) return "?";
-  return std::abs(x) >= 100 ? number_text(std::round(x), whole_digits) : number_text(x, 2);
+  const bool is_whole = std::abs(x) >= 100 && std::abs(x) < 1e5;
+  return is_whole ? number_text(std::round(x), whole_digits) : number_text(x, 2);
 }
 
 std::string range(const Interval& interval, double factor) {

@@ -35,7 +35,7 @@ constexpr double most_idle = 0.2;
 constexpr std::size_t most_named = 3;
 
 // A budget that is still more times as large is no advice.
-constexpr double largest_factor = 100;
+constexpr double largest_factor = 100, least_factor = 1.1;
 
 constexpr std::size_t cells_of_ranks = 16;
 
@@ -105,7 +105,8 @@ std::string remedy(double factor, std::size_t chains_per_group) {
     return fmt::format("--chains {} would do", groups * static_cast<int>(most / factor));
   const std::string fewer =
       chains_per_group > 1 ? fmt::format("--chains {} and ", groups) : std::string();
-  return fmt::format("{}a budget {} times as large would do", fewer, times(factor / most));
+  return fmt::format("{}a budget {} times as large would do", fewer,
+                     times(std::max(factor / most, least_factor)));
 }
 
 // Of the position on the sensor alone: what else is slow, and tells on the film, tells there.  R̂² -

@@ -76,10 +76,10 @@ SampleFilm film_seen(int seen) {
 }
 
 // The rules by which bins are judged have tests of their own (reliability_test.cpp).  The second bin has samples of 1; those of
-// the first weigh (1² + 3²)/(1 + 3), so that by both one weighs 1.75, and 75 of them are 131.25.
+// the first weigh (1² + 3²)/(1 + 3), so that by both one weighs 1.75, and 60 of them, beside a brighter bin, are 105.
 TEST(Reliability, NeedsEffectiveSamples) {
-  EXPECT_EQ(film_seen(132).estimate(two_bins).reliable, (std::vector{true, true}));
-  EXPECT_EQ(film_seen(131).estimate(two_bins).reliable, (std::vector{true, false}));
+  EXPECT_EQ(film_seen(105).estimate(two_bins).reliable, (std::vector{true, true}));
+  EXPECT_EQ(film_seen(104).estimate(two_bins).reliable, (std::vector{true, false}));
   EXPECT_EQ(film_seen(0).estimate(two_bins).reliable, (std::vector{true, false}));
 }
 

@@ -113,8 +113,8 @@ TEST_P(HeldRuns, AreKeptOnceTheyAreWorthTheirPlace) {
       ADD_FAILURE() << "it went on";
     } catch (const NothingComputed& problem) {
       EXPECT_EQ(problem.what(),
-                fmt::format("interrupted before there were as many samples as the {} of the run "
-                            "that was begun again, which stays as it is",
+                fmt::format("interrupted before there were as many samples as the {} of the film "
+                            "in its place, which stays as it is",
                             keeper.least));
     }
     EXPECT_EQ(kept, 0);

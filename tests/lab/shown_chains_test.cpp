@@ -60,5 +60,20 @@ TEST(ShownChains, AreThoseOfTheGroups) {
   EXPECT_THROW(shown.chain(8), std::runtime_error);
 }
 
+// As render() does, whose seed pass ends where samples are costly.
+TEST(ShownChains, HaveNoMoreSeedsThanAreWorthTheirCost) {
+  const FlatScene scene = build(diffuse_room());
+  const Flat space(*scene, Roulette::off);
+  const Family family = make_family({}, space.max_vertices());
+  constexpr ChainSettings settings{
+      .groups = 4, .chains_per_group = 1, .fewest_seeds = 4 * ChainSettings::most_rays};
+  Session session;
+  session.threads = 2;
+  wander::Run run(session);
+  const ShownChains<Flat, Chains> shown(space, family, run, settings);
+  EXPECT_GE(shown.tally().rays, ChainSettings::most_rays);
+  EXPECT_LT(shown.tally().rays, 2 * ChainSettings::most_rays);
+}
+
 }  // namespace
 }  // namespace wander::test

@@ -139,6 +139,26 @@ TEST_F(Continuing, WhatIsBegunAgainTakesTheOldRunsPlaceWhenThereIsAsMuch) {
   EXPECT_GT(stays, 0);
 }
 
+// As where a disk was full when the last checkpoint was to be written.
+TEST_F(Continuing, AFilmStaysThatIsAheadOfItsCheckpoint) {
+  ASSERT_EQ(wander("render gallery:slit -m bdpt -q -t 1 -o run -b 10k").exit_code, 0);
+  shell("cp run/checkpoint old");
+  ASSERT_EQ(wander("render --continue -q -t 1 -o run -b 200k").exit_code, 0);
+  shell("cp old run/checkpoint");
+  const std::string film = contents(folder / "run/film.exr");
+  expect_refused("render --continue -o run", 2, {"a film of 200000 samples", "-b 200000"});
+  EXPECT_EQ(
+      shell("timeout --preserve-status -s INT 0.3 \"$WANDER\" render --continue -o run -t 1 -b "
+            "4000M --checkpoint 0.01")
+          .exit_code,
+      130);
+  EXPECT_TRUE(contents(folder / "run/film.exr") == film ||
+              numbers_in("run")["samples"].get<std::uint64_t>() >= 200'000);
+  shell("cp old run/checkpoint");
+  ASSERT_EQ(wander("render --continue -q -t 1 -o run -b 600k").exit_code, 0);
+  EXPECT_EQ(numbers_in("run")["samples"], 600'000);
+}
+
 TEST_F(Continuing, ATimeIsThatOfTheWholeRun) {
   ASSERT_EQ(wander("render box.json -m pt -b 200ms -q -o run").exit_code, 0);
   const json before = numbers_in("run");

@@ -83,6 +83,8 @@ TEST(Svg, ShortenedTextFitsAndKeepsWholeCharacters) {
     EXPECT_EQ(escaped(cut), cut);
   }
   EXPECT_EQ(shortened("abc", 7, 100), "abc");
+  // Names that differ at their ends stay apart.
+  EXPECT_NE(shortened(text + "1", 7, 40), shortened(text + "2", 7, 40));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "draw/report/error_figure.h"
@@ -48,6 +49,20 @@ TEST(Verdict, TimesBeyondTheLongestRunAreSaidToBeExtrapolated) {
     EXPECT_TRUE(says(told(c), c.runs.contenders[k].label + " " + time_to_target(c, k)));
   const auto curves = to_json(c)["curves"];
   for (std::size_t k = 0; k < 4; ++k) EXPECT_EQ(curves[k]["extrapolated"], k == 2) << k;
+}
+
+// A black film is off by all of the light, and no two differ: that is no small error without spread.
+TEST(Verdict, WhoFoundNoLightIsAheadOfNobody) {
+  Generator random(6);
+  Runs runs = made_runs({.seconds = {1, 2}}, {{"black", 1}, {"noisy", 6}, {"noisier", 30}}, random);
+  for (compare::Run& run : runs.runs)
+    if (run.contender == 0) std::ranges::fill(run.film.value, 0.0);
+  const Comparison c = summarize(std::move(runs));
+  EXPECT_EQ(c.ranking, (std::vector<std::size_t>{1, 2, 0}));
+  EXPECT_NEAR(c.cells[c.decisive].relative_rmse.value, 1, 1e-12);
+  for (const Crossing& crossing : c.crossings)
+    EXPECT_EQ(crossing.significant, crossing.behind != 0 && crossing.ahead != 0);
+  EXPECT_TRUE(says(told(c), "No replicate found any light")) << told(c);
 }
 
 TEST(Verdict, WhatDoesNotFallLikeTheRootIsNotExtrapolated) {

@@ -213,6 +213,18 @@ TEST(Constants, OfAStratumThatOneGroupFoundHaveAnError) {
   EXPECT_FALSE(std::isfinite(second.b.standard_error)) << "it is all that there is";
 }
 
+// Of light that every sample and every state measures alike both have no error.
+TEST(ConstantsAlarm, IsNotRaisedByRounding) {
+  Groups groups;
+  for (int g = 0; g < 32; ++g) groups.add(4 + g % 2, 1, 3);
+  Constants b = constants(groups.findings());
+  b.seed_pass.b.standard_error = 0;
+  b.bridge.b = {b.seed_pass.b.value * (1 + 1e-13), 0};
+  EXPECT_EQ(disagreement_of_constants(groups.findings(), b), "");
+  b.bridge.b.value = b.seed_pass.b.value * (1 + 1e-6);
+  EXPECT_NE(disagreement_of_constants(groups.findings(), b), "");
+}
+
 TEST(ConstantsAlarm, NamesTheClassThatTheChainsMissed) {
   Groups groups;
   for (int g = 0; g < 32; ++g) groups.add(4 + g % 2, 1, 3);

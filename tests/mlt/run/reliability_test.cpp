@@ -112,19 +112,23 @@ bool recounted(const FilmEstimate& film, int row, int column, int channel) {
   const auto at = [&](int r, int c) {
     return static_cast<std::size_t>((r * columns + c) * channels + channel);
   };
-  std::vector<double> weights;
+  std::vector<double> weights, others;
   for (int r = 0; r < rows; ++r)
     for (int c = 0; c < columns; ++c) {
       const double v = film.value[at(r, c)], e = film.standard_error[at(r, c)];
-      if (std::abs(r - row) <= 1 && std::abs(c - column) <= (curve ? 4 : 1) && v > 0)
-        weights.push_back(e * e / v);
+      if (std::abs(r - row) > 1 || std::abs(c - column) > (curve ? 4 : 1) || v == 0) continue;
+      weights.push_back(e * e / v);
+      if (r != row || c != column) others.push_back(v);
     }
   const double v = film.value[at(row, column)], e = film.standard_error[at(row, column)];
   if (v == 0) return false;
-  const double mean =
-      std::accumulate(weights.begin(), weights.end(), 0.0) / static_cast<double>(weights.size());
-  const double own = v * v / (e * e), around = v / mean;
-  return own >= 50 && around >= 75 && (own <= 3 * around || around >= 2000);
+  const auto mean = [](const std::vector<double>& x) {
+    return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
+  };
+  const double claimed = v * v / (e * e), own = v / mean(weights),
+               around = others.empty() ? own : mean(others) / mean(weights);
+  return claimed >= 50 && ((around >= 75 && own >= 60) || own >= 150) &&
+         (claimed <= 3 * own || own >= 2000);
 }
 
 TEST(ReliableBins, AreThoseOfARecount) {
@@ -154,6 +158,32 @@ TEST(ReliableBins, AreThoseOfARecount) {
   }
   EXPECT_GT(trusted, all / 5);
   EXPECT_LT(trusted, 4 * all / 5);
+}
+
+// Bins that are all known as so many events in the mean, and of which some have more by chance.
+TEST(ReliableBins, AreNotChosenByTheirOwnValue) {
+  Rng random(8, Purpose::test, 0);
+  for (const double mean : {60.0, 90.0}) {
+    FilmEstimate film{.shape = {40, 50}};
+    double bright = 0, trusted = 0;
+    for (int j = 0; j < 2000; ++j) {
+      double hits = -1;
+      for (double p = 1; p > std::exp(-mean); p *= random.uniform()) ++hits;
+      film.value.push_back(hits);
+      film.standard_error.push_back(std::sqrt(hits));
+    }
+    const std::vector<bool> reliable = told(film);
+    for (std::size_t j = 0; j < reliable.size(); ++j) {
+      trusted += reliable[j] ? 1 : 0;
+      bright += reliable[j] && film.value[j] > mean + 1.96 * std::sqrt(mean) ? 1 : 0;
+    }
+    if (mean == 60) {
+      EXPECT_EQ(trusted, 0);
+    } else {
+      EXPECT_GT(trusted, 1900);
+      EXPECT_LT(bright / trusted, 0.05);
+    }
+  }
 }
 
 // Images of 24 x 24 by 64 groups: light that each group knows to 8 %, and of rare events, of the weight one, so many in
