@@ -180,7 +180,7 @@ std::string Words::of_the_target() const {
   std::string text;
   std::size_t named = 0;
   for (const std::size_t c : all_.ranking) {
-    if (!is_measured(c) || ++named > most_named) continue;
+    if (!is_measured(c) || cell(c).is_dark || ++named > most_named) continue;
     text += fmt::format("{}{} {}", named > 1 ? "; " : "", label(c), time_to_target(all_, c));
   }
   if (named == 0) return "";

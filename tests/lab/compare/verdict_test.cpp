@@ -63,6 +63,7 @@ TEST(Verdict, WhoFoundNoLightIsAheadOfNobody) {
   for (const Crossing& crossing : c.crossings)
     EXPECT_EQ(crossing.significant, crossing.behind != 0 && crossing.ahead != 0);
   EXPECT_TRUE(says(told(c), "No replicate found any light")) << told(c);
+  EXPECT_FALSE(says(told(c), "black at most its shortest run")) << told(c);
 }
 
 TEST(Verdict, WhatDoesNotFallLikeTheRootIsNotExtrapolated) {
