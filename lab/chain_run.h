@@ -156,6 +156,14 @@ class ChainRun final : public LiveRun {
     return r;
   }
 
+  // Each bin of each film that groups share is asked for its error (large_pooled_film.h).
+  double seconds_of_findings() const override {
+    constexpr double of_each = 14e-9;
+    if (!settings_.film.is_large(shape())) return 0;
+    const int films = SharedFilms::films_of(shape(), settings_.groups, settings_.film);
+    return of_each * films * static_cast<double>(bins());
+  }
+
   void save(cereal::BinaryOutputArchive& archive) const override {
     const bool is_started = groups().is_started();
     archive(settings_.groups, chains_made_, settings_.chains_per_group, settings_.steps_per_chain,

@@ -135,7 +135,10 @@ class Drive {
     const double share = asked_for > 0 ? asked_for : ChainSettings::usual_seed_share;
     const std::uint64_t most =
         asked_for > 0 ? std::numeric_limits<std::uint64_t>::max() : run_.settings().fewest_seeds;
-    const double end = seeds_begin_ + share / (1 + share) * (seconds - seeds_begin_);
+    // Rehearsed once and made once; of a short budget no more than half.
+    const double left = seconds - seeds_begin_,
+                 of_findings = std::min(2 * run_.seconds_of_findings(), left / 2);
+    const double end = seeds_begin_ + share / (1 + share) * (left - of_findings);
     Pace pace(execution_.spent(), end, run_.seed_stride() * slices);
     std::uint64_t done = run_.seeds().samples;
     for (double now = execution_.spent(); done == 0 || (done < most && !pace.is_over(now));

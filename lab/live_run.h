@@ -76,6 +76,8 @@ class LiveRun {
   virtual FilmEstimate preview() const = 0;
   // All that has come out, but for facts of the execution.
   virtual Rendering findings() const = 0;
+  // About how long that takes: what a seed pass leaves of a budget of time, before it can be rehearsed.
+  virtual double seconds_of_findings() const { return 0; }
   // The same, to be made of several runs: an empty value, and what this run adds to it.
   virtual std::unique_ptr<Findings> no_findings() const = 0;
   virtual void add_to(Findings& all) const = 0;  // of runs of the same job

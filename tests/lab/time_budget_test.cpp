@@ -7,6 +7,7 @@
 #include "lab/render.h"
 #include "lab/sample_film.h"
 #include "mutations/catalogue.h"
+#include "tests/lab/counting_run.h"
 #include "tests/support/test_scenes.h"
 
 namespace wander::test {
@@ -124,6 +125,44 @@ TEST(TimeBudgetOfChains, GivesTheSeedPassItsShareAndKeepsTheEndBack) {
   // The end is made twice: once to know how long it takes.
   const double steps = (0.5 - 0.1 - 2 * the_end) / per_step;
   EXPECT_NEAR(static_cast<double>(r.samples), steps, 0.05 * steps);
+}
+
+// Nearly all of it is a seed pass, after which there is no time left to rehearse what comes at the end.
+class LongSeedPass : public CountingRun {
+ public:
+  static constexpr double end = 0.04;
+
+  // `said`: how long the end takes.
+  explicit LongSeedPass(double said) : CountingRun(1, 40), said_(said) {}
+  void seed(std::uint64_t of_each) override {
+    CountingRun::seed(of_each);
+    WorkClock::work(per_seed * static_cast<double>(slices * of_each));
+  }
+  void advance(std::uint64_t samples) override {
+    CountingRun::advance(samples);
+    WorkClock::work(per_step * static_cast<double>(samples));
+  }
+  Rendering findings() const override {
+    WorkClock::work(end);
+    return CountingRun::findings();
+  }
+  double seconds_of_findings() const override { return said_; }
+
+ private:
+  double said_;
+};
+
+TEST(TimeBudgetOfSeeds, LeavesWhatTheEndTakes) {
+  const WorkClock clock;
+  const auto seconds_of = [&](double said) {
+    const Session session = session_of(clock, TimeBudget{0.6});
+    wander::Run execution(session);
+    LongSeedPass run(said);
+    return drive(run, execution).seconds;
+  };
+  EXPECT_LT(seconds_of(LongSeedPass::end), 1.03 * 0.6);
+  EXPECT_GT(seconds_of(LongSeedPass::end), 0.9 * 0.6);
+  EXPECT_GT(seconds_of(0), 1.1 * 0.6) << "the wrong twin";
 }
 
 // ---- the number of chains

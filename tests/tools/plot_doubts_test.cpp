@@ -2,7 +2,7 @@
 #include "tests/support/images.h"
 #include "tests/tools/command_line.h"
 
-#include "records/run_json.h"
+#include "records/run_files.h"
 
 namespace wander::test::plot_doubts_test {
 namespace {
