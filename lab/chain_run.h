@@ -158,7 +158,7 @@ class ChainRun final : public LiveRun {
 
   // Each bin of each film that groups share is asked for its error (large_pooled_film.h).
   double seconds_of_findings() const override {
-    constexpr double of_each = 14e-9;
+    constexpr double of_each = 6e-9;
     if (!settings_.film.is_large(shape())) return 0;
     const int films = SharedFilms::films_of(shape(), settings_.groups, settings_.film);
     return of_each * films * static_cast<double>(bins());

@@ -21,13 +21,28 @@ Jackknife::Jackknife(std::size_t groups, std::span<const double> weights) : rest
 }
 
 double Jackknife::error(std::span<const double> without) const {
-  const auto n = static_cast<double>(without.size());
-  if (n < 2) return unknown;
-  const double mean = std::inner_product(without.begin(), without.end(), rests_.begin(), 0.0) / n;
-  double squares = 0;
-  for (std::size_t g = 0; g < without.size(); ++g)
-    squares += rests_[g] * (without[g] - mean) * (without[g] - mean);
-  return std::sqrt(squares * (n - 1) / n);
+  double error = 0;
+  errors(without, std::span(&error, 1));
+  return error;
+}
+
+void Jackknife::errors(std::span<const double> without, std::span<double> errors) const {
+  const std::size_t count = errors.size(), groups = rests_.size();
+  const auto n = static_cast<double>(groups);
+  if (groups < 2) {
+    std::ranges::fill(errors, unknown);
+    return;
+  }
+  std::vector<double> means(count), squares(count);
+  for (std::size_t g = 0; g < groups; ++g)
+    for (std::size_t i = 0; i < count; ++i) means[i] += without[g * count + i] * rests_[g];
+  for (double& mean : means) mean /= n;
+  for (std::size_t g = 0; g < groups; ++g)
+    for (std::size_t i = 0; i < count; ++i) {
+      const double deviation = without[g * count + i] - means[i];
+      squares[i] += rests_[g] * deviation * deviation;
+    }
+  for (std::size_t i = 0; i < count; ++i) errors[i] = std::sqrt(squares[i] * (n - 1) / n);
 }
 
 double jackknife_error(std::span<const double> without, std::span<const double> weights) {

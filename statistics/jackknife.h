@@ -23,6 +23,8 @@ class Jackknife {
 
   // From the θ_(g).  One group alone tells nothing: NaN.
   double error(std::span<const double> without) const;
+  // Of as many θ as there are errors: their θ_(g) side by side, group by group.
+  void errors(std::span<const double> without, std::span<double> errors) const;
 
  private:
   std::vector<double> rests_;  // W - w_g, in units of what it is with equal weights

@@ -89,6 +89,7 @@ class ChainGroup {
   }
 
   void advance(std::uint64_t steps) {
+    statistics_.expect(steps);
     turns_->take(steps, [this](std::size_t k) { step(k); });
     steps_ += steps;
   }

@@ -13,6 +13,8 @@ namespace wander {
 
 namespace {
 
+constexpr std::size_t bins_of_tile = 256;  // so that what all films have of them stays in the cache
+
 struct OfBin {
   double value = 0, variance = 0;
 };
@@ -71,29 +73,25 @@ class RunLight {
   double mean_of_samples() const {
     return luminance_of(bins(), channels_, [&](std::size_t j) { return of_samples(j).value; });
   }
-  // The terms of S_j / pixels: what each film has of it.
-  void add_parts(std::size_t bin, std::vector<double>& parts) const {
-    for (std::size_t f = 0; f < films(); ++f) parts.push_back(part(f, bin));
+  // A term of S_j / pixels: what a film has of it.
+  double part(std::size_t film, std::size_t bin) const {
+    return run_.scale * run_.films->deposits(film, bin);
   }
-  double of_chains(std::span<const double> parts) const {
-    const double sum = std::accumulate(parts.begin(), parts.end(), 0.0);
-    return mass_ > 0 ? sum / mass_ : 0;
-  }
+  // Of the sum of all films' parts.
+  double of_chains(double sum) const { return mass_ > 0 ? sum / mass_ : 0; }
   // With M the mass of all films and m that of one, which has a part d of the sum S M, by how much S changes without it:
   //   (S M - d) / (M - m) - S = (S m - d) / (M - m).
   double change_without(double whole, double part, std::size_t film) const {
     return (whole * masses_[film] - part) * per_rest_[film];
   }
-  double mean_of_chains() const { return of_chains(parts_); }
+  double mean_of_chains() const {
+    return of_chains(std::accumulate(parts_.begin(), parts_.end(), 0.0));
+  }
   double change_of_mean_without(std::size_t film) const {
     return change_without(mean_of_chains(), parts_[film], film);
   }
 
  private:
-  double part(std::size_t film, std::size_t bin) const {
-    return run_.scale * run_.films->deposits(film, bin);
-  }
-
   const SharedLight& run_;
   int channels_;
   std::vector<double> masses_, parts_;  // by film: all its light, and the part that is in it
@@ -157,32 +155,41 @@ class LargePool {
     return count;
   }
 
-  // Value, that of the samples' part and its variance; values of all without each film.
-  struct Light {
-    double value, of_samples, variance_of_samples;
+  // Of bins that lie side by side: values, those of the samples' part and their variances; and by film and bin, the
+  // values of all without the film.
+  struct Tile {
+    explicit Tile(std::size_t films, std::size_t size)
+        : value(size), of_samples(size), variance_of_samples(size), without(films * size) {}
+    std::size_t size() const { return value.size(); }
+    std::vector<double> value, of_samples, variance_of_samples, without;
   };
-  Light at(std::size_t bin, std::vector<double>& without) const {
-    double samples = 0, variance = 0, chains = 0;
-    parts_.clear();
-    of_chains_.clear();
-    for (std::size_t p = 0; p < runs_.size(); ++p) {
-      const OfBin found = runs_[p].of_samples(bin);
-      samples += shares_[p].share * found.value;
-      variance += shares_[p].share * shares_[p].share * found.variance;
-      const std::size_t first = parts_.size();
-      runs_[p].add_parts(bin, parts_);
-      of_chains_.push_back(runs_[p].of_chains(std::span(parts_).subspan(first)));
-      chains += shares_[p].share * of_chains_.back();
+  Tile at(std::size_t begin, std::size_t size) const {
+    Tile tile(films(), size);
+    std::vector<double> chains(size);
+    std::vector<std::vector<double>> of_chains;  // by run
+    std::size_t first = 0;
+    for (std::size_t p = 0; p < runs_.size(); first += runs_[p++].films()) {
+      add_samples(p, begin, tile);
+      const std::vector<double>& of_run = of_chains.emplace_back(
+          put_parts(p, begin, std::span(tile.without).subspan(first * size), size));
+      for (std::size_t i = 0; i < size; ++i) chains[i] += shares_[p].share * of_run[i];
     }
-    without.clear();
-    for (std::size_t p = 0; p < runs_.size(); ++p)
+    first = 0;
+    for (std::size_t p = 0; p < runs_.size(); first += runs_[p++].films())
       for (std::size_t f = 0; f < runs_[p].films(); ++f) {
-        const std::size_t k = without.size();
-        const double moved = runs_[p].change_without(of_chains_[p], parts_[k], f);
-        without.push_back(levels_[k] *
-                          (samples + without_[k] * (chains + shares_[p].pull * moved)));
+        const double level = levels_[first + f], b = without_[first + f];
+        double* const without = &tile.without[(first + f) * size];
+        for (std::size_t i = 0; i < size; ++i) {
+          const double moved = runs_[p].change_without(of_chains[p][i], without[i], f);
+          without[i] = level * (tile.of_samples[i] + b * (chains[i] + shares_[p].pull * moved));
+        }
       }
-    return {level_ * (samples + b_ * chains), level_ * samples, level_ * level_ * variance};
+    for (std::size_t i = 0; i < size; ++i) {
+      tile.value[i] = level_ * (tile.of_samples[i] + b_ * chains[i]);
+      tile.of_samples[i] *= level_;
+      tile.variance_of_samples[i] *= level_ * level_;
+    }
+    return tile;
   }
   std::span<const double> weights() const { return weights_; }
   std::map<int, std::vector<double>> by_length(std::span<const int> shape) const {
@@ -197,13 +204,31 @@ class LargePool {
   }
 
  private:
+  void add_samples(std::size_t run, std::size_t begin, Tile& tile) const {
+    const double share = shares_[run].share;
+    for (std::size_t i = 0; i < tile.size(); ++i) {
+      const OfBin found = runs_[run].of_samples(begin + i);
+      tile.of_samples[i] += share * found.value;
+      tile.variance_of_samples[i] += share * share * found.variance;
+    }
+  }
+  // The parts of a run's films on bins, by film and bin; returns S_j / pixels.
+  std::vector<double> put_parts(std::size_t run, std::size_t begin, std::span<double> parts,
+                                std::size_t size) const {
+    const RunLight& of = runs_[run];
+    std::vector<double> sums(size);
+    for (std::size_t f = 0; f < of.films(); ++f)
+      for (std::size_t i = 0; i < size; ++i) sums[i] += parts[f * size + i] = of.part(f, begin + i);
+    for (double& sum : sums) sum = of.of_chains(sum);
+    return sums;
+  }
+
   double b_;
   std::vector<double> without_;  // b without each film
   std::vector<RunLight> runs_;
   std::vector<RunShare> shares_;          // by run
   std::vector<double> weights_, levels_;  // by film
   double level_ = 1, of_samples_ = 0;
-  mutable std::vector<double> of_chains_, parts_;  // of one bin, by run and by film
 };
 
 }  // namespace
@@ -218,19 +243,27 @@ PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupF
   make_room(film);
   std::vector<double> part_of_samples;
   part_of_samples.reserve(pool.bins());
-  std::vector<double> without, deviations(pool.films());  // squared, of all bins together
-  double of_samples = 0, of_chains = 0;                   // variance of all bins
-  for (std::size_t j = 0; j < pool.bins(); ++j) {
-    const auto [value, samples, variance] = pool.at(j, without);
-    const double of_films = jackknife.error(without);
-    const double error = std::sqrt(variance + of_films * of_films);
-    film.value.push_back(pixels * value);
-    part_of_samples.push_back(pixels * samples);
-    film.standard_error.push_back(pixels * error);
-    of_samples += variance;
-    of_chains += of_films * of_films;
-    for (std::size_t f = 0; f < without.size(); ++f)
-      deviations[f] += (without[f] - value) * (without[f] - value);
+  std::vector<double> deviations(pool.films());  // squared, of all bins together
+  double of_samples = 0, of_chains = 0;          // variance of all bins
+  std::vector<double> of_films;
+  for (std::size_t begin = 0; begin < pool.bins(); begin += bins_of_tile) {
+    const LargePool::Tile tile = pool.at(begin, std::min(bins_of_tile, pool.bins() - begin));
+    of_films.resize(tile.size());
+    jackknife.errors(tile.without, of_films);
+    for (std::size_t i = 0; i < tile.size(); ++i) {
+      const double variance = tile.variance_of_samples[i];
+      const double error = std::sqrt(variance + of_films[i] * of_films[i]);
+      film.value.push_back(pixels * tile.value[i]);
+      part_of_samples.push_back(pixels * tile.of_samples[i]);
+      film.standard_error.push_back(pixels * error);
+      of_samples += variance;
+      of_chains += of_films[i] * of_films[i];
+    }
+    for (std::size_t f = 0; f < deviations.size(); ++f)
+      for (std::size_t i = 0; i < tile.size(); ++i) {
+        const double deviation = tile.without[f * tile.size() + i] - tile.value[i];
+        deviations[f] += deviation * deviation;
+      }
   }
   film.reliable = reliability_of_groups(film, pool.lit());
   // The samples' part has as many as it has samples [Satterthwaite 1946].

@@ -7,17 +7,12 @@ namespace wander {
 
 MutationStatistics::MutationStatistics(std::span<const std::string_view> names,
                                        const Raster& places, int max_vertices)
-    : places_(places),
+    : places_(places, names.size()),
       lengths_(static_cast<std::size_t>(std::min(max_vertices, most_vertices)) - 1),
       by_length_(lengths_ * names.size()),
       by_class_(room_for_classes<Outcomes>(names.size())),
       groups_of_class_(ClassTable::most_classes + 1) {
-  for (const std::string_view name : names) {
-    Tally& tally = tallies_.emplace_back();
-    tally.name = name;
-    tally.proposed_per_bin.resize(places.cells());
-    tally.acceptance_per_bin.resize(places.cells());
-  }
+  for (const std::string_view name : names) tallies_.emplace_back().name = name;
 }
 
 void MutationStatistics::Outcomes::merge(const Outcomes& other) {
@@ -55,11 +50,8 @@ void MutationStatistics::merge(const MutationStatistics& other) {
     mine.longest_run = std::max(mine.longest_run, theirs.longest_run);
     mine.measured_seconds += theirs.measured_seconds;
     mine.measured += theirs.measured;
-    for (std::size_t b = 0; b < mine.proposed_per_bin.size(); ++b) {
-      mine.proposed_per_bin[b] += theirs.proposed_per_bin[b];
-      mine.acceptance_per_bin[b] += theirs.acceptance_per_bin[b];
-    }
   }
+  places_.merge(other.places_);
   for (std::size_t k = 0; k < by_length_.size(); ++k) by_length_[k].merge(other.by_length_[k]);
   for (const Visits& theirs : other.visits()) ++groups_of_class_[classes_.index(theirs.path_class)];
   for (std::size_t c = 0; c < other.classes_.size(); ++c)
@@ -129,10 +121,10 @@ MutationRecord MutationStatistics::record(std::size_t mutation) const {
   record.accepted = all.accepted;
   record.mean_acceptance = all.mean_acceptance;
   record.failures = all.failures;
-  record.proposed_per_bin = tally.proposed_per_bin;
-  record.acceptance_per_bin = tally.acceptance_per_bin;
-  for (std::size_t b = 0; b < record.acceptance_per_bin.size(); ++b)
-    if (record.proposed_per_bin[b] > 0) record.acceptance_per_bin[b] /= record.proposed_per_bin[b];
+  for (const auto& [proposed, acceptance] : places_.of_mutation(mutation)) {
+    record.proposed_per_bin.push_back(proposed);
+    record.acceptance_per_bin.push_back(proposed > 0 ? acceptance / proposed : 0);
+  }
   if (tally.measured > 0)
     record.seconds = tally.measured_seconds / static_cast<double>(tally.measured) *
                      static_cast<double>(all.proposed);

@@ -10,9 +10,9 @@
 #include <string_view>
 
 #include "core/path_class.h"
-#include "core/raster.h"
 #include "mlt/chain.h"
 #include "mlt/watch/chains_record.h"
+#include "mlt/watch/place_tallies.h"
 #include "statistics/sum.h"
 
 namespace wander {
@@ -92,6 +92,8 @@ class MutationStatistics {
   MutationStatistics(std::span<const std::string_view> names, const Raster& places,
                      int max_vertices);
 
+  // So that the next steps, this many, allocate nothing.
+  void expect(std::uint64_t steps) { places_.expect(steps); }
   void observe(const Observation& seen, RejectionRuns& runs);
 
   // Makes a step of a chain, whose number it is; work() returns the index of the mutation.
@@ -124,7 +126,8 @@ class MutationStatistics {
   // Into statistics of the same mutations.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(tallies_, lengths_, classes_, by_length_, by_class_, groups_of_class_, longest_run_);
+    archive(tallies_, places_, lengths_, classes_, by_length_, by_class_, groups_of_class_,
+            longest_run_);
   }
 
  private:
@@ -148,13 +151,11 @@ class MutationStatistics {
     std::uint64_t longest_run = 0;
     double measured_seconds = 0;
     std::uint64_t measured = 0;
-    std::vector<double> proposed_per_bin, acceptance_per_bin;
 
     // All but the name.
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(squared_jump, longest_run, measured_seconds, measured, proposed_per_bin,
-              acceptance_per_bin);
+      archive(squared_jump, longest_run, measured_seconds, measured);
     }
   };
   Outcomes& by_length(std::size_t length, std::size_t mutation) {
@@ -169,8 +170,8 @@ class MutationStatistics {
   std::vector<PathsRecord> records_by_length(std::size_t mutation) const;
   std::vector<PathsRecord> records_by_class(std::size_t mutation) const;
 
-  Raster places_;
   std::vector<Tally> tallies_;
+  PlaceTallies places_;
   std::size_t lengths_;
   ClassTable classes_;
   std::vector<Outcomes> by_length_, by_class_;  // [length or class][mutation]
@@ -189,9 +190,8 @@ inline void MutationStatistics::observe(const Observation& seen, RejectionRuns& 
   Tally& tally = tallies_[m];
   by_length(std::min(length, lengths() - 1), m).add(seen);
   by_class(classes_.index(seen.current.path_class), m).add(seen);
-  const bool has_place = !seen.current.is_dark() && places_.cells() > 0;
-  const std::size_t place = has_place ? places_.cell(seen.current.bin) : 0;
-  if (has_place) tally.proposed_per_bin[place] += 1;
+  if (places_.has_places() && !seen.current.is_dark())
+    places_.add(m, seen.current.bin, seen.acceptance > 0 ? seen.acceptance : 0);
   std::uint64_t& run = runs.of_mutation[m];
   if (seen.reason == Reason::none) {
     run = runs.whole = 0;
@@ -200,7 +200,6 @@ inline void MutationStatistics::observe(const Observation& seen, RejectionRuns& 
     longest_run_ = std::max(longest_run_, ++runs.whole);
   }
   if (!(seen.acceptance > 0) || seen.current.is_dark()) return;
-  if (has_place) tally.acceptance_per_bin[place] += seen.acceptance;
   tally.squared_jump += seen.squared_jump;
 }
 

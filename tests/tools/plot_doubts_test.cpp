@@ -1,8 +1,12 @@
-// What is doubtful of a figure of several films, and which steps of a trajectory it shows.
-#include "tests/support/images.h"
-#include "tests/tools/command_line.h"
+// What is doubtful of a figure of several films, or of a reference, and which steps of a trajectory it shows.
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
 
 #include "records/run_files.h"
+#include "records/run_json.h"
+#include "tests/support/images.h"
+#include "tests/tools/command_line.h"
 
 namespace wander::test::plot_doubts_test {
 namespace {
@@ -78,6 +82,32 @@ TEST_F(PlotDoubts, AreNoneOfFiguresThatShowAllSteps) {
     for (const char* filter : {"--mutation lens", "--class LE"})
       expect_one_fault(wander(std::string("plot t.nc -o no.svg --figure ") + figure + " " + filter),
                        2, {"narrows paths, acceptance and density"});
+}
+
+// Whatever seeds a comparison makes its runs of, a reference may have one of them.
+TEST_F(PlotDoubts, OfAReferenceAreToldByComparisonsToo) {
+  const std::string comparison = "compare box.json -m bdpt -b 1k --replicates 2 -q --json -o ";
+  const Outcome first = wander(comparison + "c");
+  ASSERT_EQ(first.exit_code, 0) << first.err;
+  const std::uint64_t seed = nlohmann::json::parse(first.out)["runs"][1]["seed"];
+  for (const auto& [name, of] : {std::pair("same", seed), std::pair("other", seed + 1000)}) {
+    const std::string render = "render box.json -m pt -b 2k -q -o ";
+    ASSERT_EQ(wander(render + name + " -s " + std::to_string(of)).exit_code, 0);
+  }
+  EXPECT_HAS(wander(comparison + "d --reference same").out, one_seed);
+  EXPECT_LACKS(wander(comparison + "e --reference other").out, one_seed);
+}
+
+TEST_F(PlotDoubts, TellThatPathsAreOfAnotherSceneThanTheFilmUnderThem) {
+  ASSERT_EQ(wander("trace gallery:ring --steps 4 --chains 1 -q -o t.nc").exit_code, 0);
+  ASSERT_EQ(wander("render gallery:ring -m pt -b 2k -q -o own").exit_code, 0);
+  const auto record = read_run(folder / "own");
+  const auto& shape = record.rendering.film.shape;
+  put("other", image_run(shape[1], shape[0], 1));
+  EXPECT_LACKS(wander("plot t.nc own --figure paths -o a.svg").err, another_scene);
+  const Outcome over = wander("plot t.nc other --figure paths -o b.svg");
+  EXPECT_EQ(over.exit_code, 0) << over.err;
+  EXPECT_HAS(over.err, another_scene);
 }
 
 }  // namespace
