@@ -193,6 +193,7 @@ void ChainFindings::normalize(Rendering& r) const {
   if (has_parts) {
     PooledFilm pooled = pooled_film(b[method], groups);
     r.film = std::move(pooled.film);
+    r.normalization->by_length = pooled_lengths(groups, groups_of_runs(), b[method]);
     warn_of_rare_light(r, groups);
     r.pooling = {groups.front().parts.front().pooling(), tally_of(groups).samples,
                  pooled.light_of_samples, std::move(pooled.of_samples), class_records(groups)};

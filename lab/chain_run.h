@@ -91,7 +91,9 @@ class ChainRun final : public LiveRun {
     }
     adapt();
     if (run_.is_interrupted()) return;
-    const Pilot found = pilot.with_chains(kernel(), planner.steps_per_chain());
+    const Pilot found =
+        pilot.with_chains(kernel(), planner.steps_per_chain(),
+                          [&](const Pilot& early) { return planner.leaves_to_samples(early); });
     if (!run_.is_interrupted()) pool(planner.by_chains(found));
   }
   double seed_share() const override { return seed_share_; }

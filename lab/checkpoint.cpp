@@ -188,6 +188,7 @@ Checkpoint read_checkpoint(const fs::path& directory, std::string_view remedy) {
       refuse(fmt::format("it is of version {} of the program, and this is {}", excerpt(version),
                          program_version()));
     Checkpoint checkpoint = from_header(header);
+    checkpoint.scene.beside = fs::absolute(directory).string();
     checkpoint.turned();
     auto state = state_in(bytes);
     if (!state) refuse("its state cannot be read");

@@ -17,12 +17,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Where it was; none if it is not to be had there any more.
-std::optional<SceneDocument> in_its_folder(const KeptScene& scene) {
+// None if it is not to be had there.
+std::optional<SceneDocument> in_folder(const std::string& folder, const KeptScene& scene) {
   std::error_code problem;
-  if (scene.folder.empty() || !fs::is_directory(scene.folder, problem)) return {};
+  if (folder.empty() || !fs::is_directory(folder, problem)) return {};
   try {
-    return parse_scene(scene.text, shown_name(scene.source), files_in(scene.folder));
+    return parse_scene(scene.text, shown_name(scene.source), files_in(folder));
   } catch (const SceneFileError&) {
     return {};
   }
@@ -53,12 +53,21 @@ KeptScene kept_scene(const SceneDocument& document, const std::string& source) {
 }
 
 SceneDocument reopened(const KeptScene& scene) {
-  std::optional<SceneDocument> found = in_its_folder(scene);
+  std::optional<SceneDocument> found = in_folder(scene.folder, scene);
+  if (!found && !scene.folder.empty()) found = in_folder(scene.beside, scene);
   SceneDocument document = found ? *std::move(found) : in_this_place(scene);
   if (const auto changed = changed_files(scene.digest, document.digest); !changed.empty())
     throw UsageError(fmt::format(
         "{}: what it names is not what it was: {}; put it back, or compute the new scene anew",
         shown_name(scene.source), fmt::join(changed, ", ")));
+  return document;
+}
+
+SceneDocument reopened(const KeptScene& scene, const std::string& now) {
+  if (now.empty()) return reopened(scene);
+  SceneDocument document = open_scene(now);
+  if (const auto other = difference(scene, kept_scene(document, now)))
+    throw UsageError(fmt::format("--scene {} is not that of the runs: their {}", now, *other));
   return document;
 }
 

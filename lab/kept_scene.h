@@ -17,12 +17,16 @@ struct KeptScene {
       folder{};  // of the scene, if it names files: where it was, whatever place is the present one
   std::string text{};
   SceneDigest digest{};
+  std::string
+      beside{};  // the directory that keeps it, in which its files may lie, too; this is not written
 };
 
 KeptScene kept_scene(const SceneDocument& document, const std::string& source);
 
 // Throws SceneFileError for a scene that is not valid any more, UsageError where a file that it names has changed.
 SceneDocument reopened(const KeptScene& scene);
+// The same by a name that leads to it now; where that is empty, by what is kept.  Throws UsageError if it is another.
+SceneDocument reopened(const KeptScene& scene, const std::string& now);
 
 // What makes it another scene than `asked`, in words that follow "its"; none if it is the same.
 std::optional<std::string> difference(const KeptScene& scene, const KeptScene& asked);

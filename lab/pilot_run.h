@@ -88,8 +88,9 @@ class PilotRun {
   const Pilot& samples() const { return samples_; }
 
   // And then steps, with a kernel that may have been found since: the samples are the same.
-  // `steps_per_chain`: of the run.
-  Pilot with_chains(double kernel, double steps_per_chain) {
+  // `steps_per_chain`: of the run.  Where is_decided(pilot) of a quarter of the steps, the rest is not made.
+  template <class Decided>
+  Pilot with_chains(double kernel, double steps_per_chain, Decided&& is_decided) {
     budget_.go_on();
     if (kernel != kernel_) {
       const CopiedSeeds seeds(*trial_);
@@ -101,6 +102,7 @@ class PilotRun {
     trial_->start(1);
     make_steps(budget_.steps() / 4, share_of_early);
     const Pilot early = found_by(worth);
+    if (Pilot so_far = extrapolated({}, early, steps_per_chain); is_decided(so_far)) return so_far;
     make_steps(budget_.steps(), share_of_all);
     return extrapolated(early, found_by(worth), steps_per_chain);
   }

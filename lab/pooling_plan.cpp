@@ -30,6 +30,11 @@ PoolingPlan PoolingPlanner::by_chains(Pilot pilot) const {
                                           : cautious_pooling(pilot, film_.bins, most_cost()));
 }
 
+bool PoolingPlanner::leaves_to_samples(const Pilot& pilot) const {
+  return film_.kind == FilmKind::image && !settings_.seed_share && is_telling(pilot) &&
+         is_left_to_samples(by_chains(pilot).pooling, pilot.b());
+}
+
 double PoolingPlanner::steps_per_chain() const {
   const ChainSettings settings = settings_of_chains({}, 0);
   const auto expected = static_cast<std::uint64_t>(expected_steps(run_).value_or(0));

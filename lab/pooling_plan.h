@@ -34,6 +34,9 @@ class PoolingPlanner {
   // seen may be as bright as a pixel is.
   std::optional<PoolingPlan> by_samples(Pilot samples) const;
   PoolingPlan by_chains(Pilot pilot) const;
+  // Are chains left nothing but what is hardly known, of an image?  More steps tell more of what keeps chains from mixing,
+  // and no more of what samples lack: that they would be left more is not to be expected.
+  bool leaves_to_samples(const Pilot& pilot) const;
 
   // As far as it is known before the run.
   double steps_per_chain() const;

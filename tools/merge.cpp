@@ -32,16 +32,6 @@ struct MergeTask {
   std::string scene;  // where it is now; empty: where it was
 };
 
-SceneDocument scene_of(const MergeTask& task) {
-  const KeptScene& kept = task.parts.front().run.scene;
-  if (task.scene.empty()) return reopened(kept);
-  SceneDocument document = open_scene(task.scene);
-  if (const auto other = difference(kept, kept_scene(document, task.scene)))
-    throw UsageError(
-        fmt::format("--scene {} is not that of the runs: their {}", task.scene, *other));
-  return document;
-}
-
 // Words that were misread are not taken for directories.
 void examine(MergeTask& task, const Global& global, Examination& examination) {
   const bool words_are_known = examination.is_passed();
@@ -65,7 +55,7 @@ ExitCode merge_runs(const MergeTask& task, const Global& global) {
     require_file(checkpoint_in(directory->path()));
   }
   const Checkpoint& first = task.parts.front().run;
-  const SceneDocument document = scene_of(task);
+  const SceneDocument document = reopened(first.scene, task.scene);
   const Job job(document.scene, find_method(first.method), first.turned());
   Session session;
   session.threads = global.threads;

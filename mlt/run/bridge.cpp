@@ -117,9 +117,10 @@ double unseen_variance(const Cells& cells, double b, double of_b, M&& m, double 
 
 // How many independent draws tell E_M[m] as well as the chains do; of what they have not seen, as many as there are groups,
 // and where all their states are alike.
-// `of_samples`: the relative variance that they leave b.
+// `of_samples`: the relative variance that they leave b.  `unmet`: a share of light of which nobody knows the l, which is taken
+// for large, where m is nothing.
 template <class M>
-double size_of_states(const Cells& cells, double b, double of_samples, M&& m) {
+double size_of_states(const Cells& cells, double b, double of_samples, double unmet, M&& m) {
   double mean = 0, variance = 0, spread = 0;  // of the mean of all groups
   for (const Cell& c : cells.all()) mean += c.states * m(c.state_ratio);
   for (const Cell& c : cells.all()) variance += c.states * squared(m(c.state_ratio) - mean);
@@ -129,7 +130,9 @@ double size_of_states(const Cells& cells, double b, double of_samples, M&& m) {
     spread += squared((sums.states - sums.mass * mean) / cells.state_mass());
   }
   const double groups = cells.groups_with_states();
-  const double unseen = unseen_variance(cells, b, of_samples + spread / squared(mean), m, mean);
+  const double unseen =
+      std::max(unseen_variance(cells, b, of_samples + spread / squared(mean), m, mean),
+               unmet * squared(mean));
   constexpr double rounding = 1e-20;
   if (!(variance + unseen > rounding * squared(mean))) return groups;
   return (variance + unseen) / (spread + unseen / groups);
@@ -151,12 +154,12 @@ double size_of_samples(const Cells& cells, H&& h) {
 }
 
 // n_M / n_B: how many independent draws tell as much as each side does.  Where its groups show none, `balance` stays.
-double best_balance(const Cells& cells, double balance, double beta) {
+double best_balance(const Cells& cells, double balance, double beta, double unmet) {
   const double b = std::exp(beta);
   const auto h = [&](double l) { return l / (balance * l + b); };
   const auto m = [&](double l) { return 1 / (balance * l + b); };
   const double of_samples = 1 / effective_samples(cells, balance, beta);
-  const double ratio = size_of_states(cells, b, of_samples, m) / size_of_samples(cells, h);
+  const double ratio = size_of_states(cells, b, of_samples, unmet, m) / size_of_samples(cells, h);
   return std::isfinite(ratio) && ratio > 0 ? ratio : balance;
 }
 
@@ -172,7 +175,7 @@ double b_without(const Cells& cells, std::size_t group, double balance, double b
 
 }  // namespace
 
-BridgeFit bridge(std::span<const BridgeGroup> groups) {
+BridgeFit bridge(std::span<const BridgeGroup> groups, double unmet) {
   BridgeFit fit;
   const Cells cells(groups);
   if (!(cells.direct() > 0) || !cells.has_states()) {
@@ -182,7 +185,7 @@ BridgeFit bridge(std::span<const BridgeGroup> groups) {
   fit.balance = cells.balance_at_first();
   std::optional<double> beta = solve(cells.all(), fit.balance, 0);
   for (int round = 0; round < 2 && beta && groups.size() > 1; ++round) {
-    fit.balance = best_balance(cells, fit.balance, *beta);
+    fit.balance = best_balance(cells, fit.balance, *beta, unmet);
     beta = solve(cells.all(), fit.balance, *beta);
   }
   if (!beta) {

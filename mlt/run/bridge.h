@@ -42,7 +42,7 @@ struct BridgeFit {
 };
 
 // By Ceres, which solves L'(β) = 0.  b is unknown if no path was found or no state seen, or if
-// Ceres does not converge.
-BridgeFit bridge(std::span<const BridgeGroup> groups);
+// Ceres does not converge.  `unmet`: the share of light that chains are known not to have met (unmet_light.h).
+BridgeFit bridge(std::span<const BridgeGroup> groups, double unmet = 0);
 
 }  // namespace wander

@@ -2,12 +2,14 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "mlt/run/coarse_films.h"
 #include "mlt/run/factor_fit.h"
 #include "mlt/run/smoothed_film.h"
 #include "statistics/jackknife.h"
+#include "statistics/squared.h"
 #include "work/parallel.h"
 
 namespace wander {
@@ -18,8 +20,9 @@ using Film = std::vector<double>;
 
 // The variance of a residual may not be less than this part of the mean over the bins.
 constexpr double smallest_variance = 1e-3;
-// Neighbouring bins are taken together until Σ Var p / Σ p² is no more, or there are no fewer bins.
-constexpr double most_noise = 0.005;
+// Neighbouring bins are taken together until Σ Var p / Σ p² is no more than this, and than this part of the seed pass's
+// relative error, or there are no fewer bins.
+constexpr double most_noise = 0.005, most_noise_of_error = 0.25;
 constexpr std::size_t fewest_bins = 4;
 // Pairs of groups are left out whose numbers are 1, 3, 5 or 7 apart.
 constexpr std::size_t most_apart = 8;
@@ -165,11 +168,27 @@ double noise_of_shape(std::span<const FilmFitGroup> groups, std::span<const int>
   return noise / squares;
 }
 
+// Of the mean of all samples, from how the groups differ.
+double relative_error_of_found(std::span<const FilmFitGroup> groups) {
+  const auto light_of = [](const FilmFitGroup& group) {
+    return std::accumulate(group.found.begin(), group.found.end(), 0.0);
+  };
+  double light = 0, samples = 0, squares = 0;
+  for (const FilmFitGroup& group : groups) {
+    light += light_of(group);
+    samples += group.samples;
+  }
+  for (const FilmFitGroup& group : groups)
+    squares += squared(light_of(group) - light / samples * group.samples);
+  return std::sqrt(squares) / light;
+}
+
 // As few bins as it takes for the chains to know them, and no fewer than `fewest_bins`.
 CoarseFilms coarsened(std::span<const FilmFitGroup> groups, std::span<const int> shape) {
+  const double noise = std::min(most_noise, most_noise_of_error * relative_error_of_found(groups));
   CoarseFilms coarse{{groups.begin(), groups.end()}, {shape.begin(), shape.end()}};
   while (coarse.groups.front().found.size() >= 2 * fewest_bins &&
-         noise_of_shape(coarse.groups, coarse.shape) > most_noise)
+         noise_of_shape(coarse.groups, coarse.shape) > noise)
     coarse.halve();
   return coarse;
 }

@@ -11,7 +11,9 @@
 //   its chains along, for a film's bins share samples and (JᵀJ)⁻¹ would know nothing of it; where
 //   chains are short a part of b goes with products of what two groups found, which it would count
 //   twice (statistics/jackknife.h).
-// What is left is a bias of the order 1/samples: for study, and as a second opinion on the bridge.
+// What is left is a bias of the order of Σ Var p / Σ p², the share of the chains' noise in the squares, for a bin's noise
+// has to do with its variance, and with what samples found there, where a chain starts: so bins are taken together until
+// that is a fraction of the error of b.  For study, and as a second opinion on the bridge.
 #pragma once
 
 #include <span>

@@ -22,6 +22,7 @@ class PooledParts {
       : pooling_(pooling),
         of_chains_(film, max_vertices, layout),
         techniques_(max_vertices),
+        easy_by_length_(static_cast<std::size_t>(max_vertices) - 1),
         list_(film, max_vertices, layout) {
     if (!layout.is_large(film)) of_samples_.emplace(film, max_vertices, layout);
   }
@@ -56,6 +57,8 @@ class PooledParts {
   }
   // Σ l w_B and its square over all paths that samples found.
   double easy_light() const { return easy_.value(); }
+  // Of paths of n vertices, at n - 2.
+  std::vector<double> easy_light_by_length() const { return values(easy_by_length_); }
   double easy_squares() const { return easy_squares_.value(); }
   const TechniqueTally& techniques() const { return techniques_; }  // of l w_B
   // Of a large film, since the last time.
@@ -66,13 +69,14 @@ class PooledParts {
 
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(of_chains_, classes_, easy_, easy_squares_, techniques_);
+    archive(of_chains_, classes_, easy_, easy_squares_, techniques_, easy_by_length_);
     if (of_samples_) archive(*of_samples_);
   }
 
  private:
   void count(int vertices, int technique, double easy) {
     techniques_.add(vertices, technique, easy);
+    easy_by_length_[static_cast<std::size_t>(vertices) - 2] += easy;
     easy_ += easy;
     easy_squares_ += easy * easy;
   }
@@ -82,6 +86,7 @@ class PooledParts {
   ClassParts classes_;
   Sum easy_, easy_squares_;
   TechniqueTally techniques_;
+  std::vector<Sum> easy_by_length_;
   std::optional<GroupFilm> of_samples_;
   SampleList list_;  // empty when a run is kept
 };

@@ -5,6 +5,7 @@
 
 #include "mlt/run/bridge.h"
 #include "mlt/run/film_fit.h"
+#include "mlt/run/unmet_light.h"
 #include "statistics/jackknife.h"
 
 namespace wander {
@@ -62,6 +63,7 @@ Constant from_least_squares(std::span<const GroupFindings> groups) {
 // b = Σ over the strata, which are independent targets; one in which nothing was found is dark.
 Constant from_bridge(std::span<const GroupFindings> groups) {
   Constant constant{.b = {0, 0}, .without = std::vector<double>(groups.size())};
+  const double unmet = unmet_light(groups);
   for (std::size_t k = 0; k < groups.front().states.size(); ++k) {
     std::vector<BridgeGroup> sides;
     double found = 0;
@@ -72,7 +74,7 @@ Constant from_bridge(std::span<const GroupFindings> groups) {
       found += ratios.count();
     }
     if (found == 0) continue;
-    const BridgeFit fit = bridge(sides);
+    const BridgeFit fit = bridge(sides, unmet);
     if (!fit.failure.empty()) return {.failure = fit.failure};
     constant.b.value += fit.b;
     constant.effective_samples += fit.effective_samples;

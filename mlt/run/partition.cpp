@@ -302,6 +302,10 @@ Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost) {
   return chosen_by(about_the_best, pilot, bins, most_cost);
 }
 
+bool is_left_to_samples(const Pooling& pooling, double b) {
+  return !pooling.partition.has_end() && pooling.partition.c >= largest_safe_border * b;
+}
+
 Pooling cautious_pooling(const Pilot& pilot, std::size_t bins, double most_cost) {
   return chosen_by(of_least_risk, pilot, bins, most_cost);
 }

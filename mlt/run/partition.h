@@ -148,6 +148,8 @@ Pooling best_pooling(const Pilot& pilot, std::size_t bins, double most_cost = us
 // best of these, or this no more than two and a half times the work of what does not, then of all with an end and no more
 // than a quarter above the best that with the widest is taken, whose samples have the fewest fireflies.
 Pooling cautious_pooling(const Pilot& pilot, std::size_t bins, double most_cost = usual_most_cost);
+// Is all that lies below the largest border that is chosen without need the samples'?
+bool is_left_to_samples(const Pooling& pooling, double b);
 
 // What samples alone decide: with chains of which one step in sixteen told as much as a draw, nothing would take a
 // twentieth less work than 2¹⁰ b does, which leaves nearly all to samples.  Of the ρ that with it are as good as the

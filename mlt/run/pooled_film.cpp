@@ -79,22 +79,52 @@ class RunMeans {
   Totals all_;
 };
 
-// The same by bins.
+// What the film is told apart by, and what a group brings to each of them: its samples' part, and its deposits in light.
+struct ByBins {
+  static std::vector<Parts> deposits(const GroupFindings& group) {
+    const std::vector<double> of_samples = group.parts.front().of_samples().weights(),
+                              of_chains = group.parts.front().of_chains().weights();
+    std::vector<Parts> all;
+    all.reserve(of_samples.size());
+    for (std::size_t j = 0; j < of_samples.size(); ++j)
+      all.push_back({of_samples[j], group.scale * of_chains[j]});
+    return all;
+  }
+  // A bin is as many times its share of the film as there are bins.
+  static double unit(std::size_t bins) { return static_cast<double>(bins); }
+};
+// At n - 2 the paths of n vertices.
+struct ByLengths {
+  static std::vector<Parts> deposits(const GroupFindings& group) {
+    const std::vector<double> of_samples = group.parts.front().easy_light_by_length(),
+                              of_chains = group.parts.front().of_chains().by_length();
+    std::vector<Parts> all;
+    for (std::size_t n = 0; n < of_samples.size(); ++n)
+      all.push_back({of_samples[n], n < of_chains.size() ? group.scale * of_chains[n] : 0});
+    return all;
+  }
+  static double unit(std::size_t) { return 1; }
+};
+
+// The same of each bin, or of each length.
+template <class By>
 class RunSums {
  public:
-  explicit RunSums(std::span<const GroupFindings> groups)
-      : groups_(groups), means_(groups), sums_(groups.front().film->bins()) {
+  explicit RunSums(std::span<const GroupFindings> groups) : groups_(groups), means_(groups) {
     for (const GroupFindings& group : groups) {
-      const std::vector<Parts>& found = deposits_.emplace_back(deposits(group));
+      const std::vector<Parts>& found = deposits_.emplace_back(By::deposits(group));
+      sums_.resize(found.size());
       for (std::size_t j = 0; j < sums_.size(); ++j) sums_[j] += found[j];
     }
   }
 
+  std::size_t count() const { return sums_.size(); }
+
   const RunMeans& means() const { return means_; }
-  Parts at(std::size_t bin) const { return of_bin(means_.scaled(sums_[bin])); }
+  Parts at(std::size_t bin) const { return in_units(means_.scaled(sums_[bin])); }
   // Without group g.
   Parts at(std::size_t bin, std::size_t g) const {
-    return of_bin(means_.without(g, sums_[bin], deposits_[g][bin]));
+    return in_units(means_.without(g, sums_[bin], deposits_[g][bin]));
   }
   // Of paths of each length: `samples`, `chains` are what E and S are multiplied by.
   void add_lengths(std::map<int, std::vector<double>>& films, double samples, double chains) const {
@@ -114,24 +144,12 @@ class RunSums {
   }
 
  private:
-  static std::vector<Parts> deposits(const GroupFindings& group) {
-    const std::vector<double> of_samples = group.parts.front().of_samples().weights(),
-                              of_chains = group.parts.front().of_chains().weights();
-    std::vector<Parts> all;
-    all.reserve(of_samples.size());
-    for (std::size_t j = 0; j < of_samples.size(); ++j)
-      all.push_back({of_samples[j], group.scale * of_chains[j]});
-    return all;
-  }
-  // A bin is as many times its share of the film as there are bins.
-  Parts of_bin(const Parts& share) const {
-    return Parts{}.add(share, static_cast<double>(sums_.size()));
-  }
+  Parts in_units(const Parts& share) const { return Parts{}.add(share, By::unit(sums_.size())); }
 
   std::span<const GroupFindings> groups_;
   RunMeans means_;
-  std::vector<Parts> sums_;                   // by bin
-  std::vector<std::vector<Parts>> deposits_;  // by group, and then by bin
+  std::vector<Parts> sums_;                   // by bin, or length
+  std::vector<std::vector<Parts>> deposits_;  // by group, and then the same
 };
 
 // The shares of runs of so many groups.
@@ -148,6 +166,7 @@ std::vector<RunShare> shares_of(std::span<const GroupFindings> groups,
 }
 
 // All runs, and what becomes of them without one group.
+template <class By>
 class Pool {
  public:
   Pool(std::span<const GroupFindings> groups, std::span<const int> groups_of_runs,
@@ -167,6 +186,7 @@ class Pool {
       }
   }
 
+  std::size_t count() const { return runs_.front().count(); }
   double level() const { return level_; }
   Parts mean() const {
     Parts sum;
@@ -207,7 +227,7 @@ class Pool {
 
  private:
   const Constant& constant_;
-  std::vector<RunSums> runs_;
+  std::vector<RunSums<By>> runs_;
   std::vector<RunShare> shares_;  // by run
   double level_ = 1;              // s
   std::vector<double> levels_;    // without each group
@@ -217,7 +237,7 @@ class Pool {
 
 PooledFilm pooled_film(std::span<const GroupFindings> groups, std::span<const int> groups_of_runs,
                        const Constant& constant, std::vector<int> shape) {
-  const Pool pool(groups, groups_of_runs, constant);
+  const Pool<ByBins> pool(groups, groups_of_runs, constant);
   const auto lit = std::ranges::count_if(groups, [](const auto& g) { return g.scale > 0; });
   const Jackknife jackknife(groups.size(), weights_of(groups));
   FilmEstimate film{.shape = std::move(shape)};
@@ -236,6 +256,19 @@ PooledFilm pooled_film(std::span<const GroupFindings> groups, std::span<const in
   film.by_length = pool.by_length();
   return {std::move(film), pool.level() * pool.mean().of_samples / constant.b.value,
           std::move(of_samples)};
+}
+
+std::vector<LengthShare> pooled_lengths(std::span<const GroupFindings> groups,
+                                        std::span<const int> groups_of_runs,
+                                        const Constant& constant) {
+  const Pool<ByLengths> pool(groups, groups_of_runs, constant);
+  const Jackknife jackknife(groups.size(), weights_of(groups));
+  std::vector<LengthShare> lengths;
+  std::vector<double> without;
+  for (std::size_t n = 0; n < pool.count(); ++n)
+    if (const double value = pool.value(n, without); value > 0)
+      lengths.push_back({{value, jackknife.error(without)}, static_cast<int>(n) + 2});
+  return lengths;
 }
 
 Constant pooled_constant(std::span<const GroupFindings> groups,

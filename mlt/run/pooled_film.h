@@ -38,4 +38,9 @@ struct PooledFilm {
 PooledFilm pooled_film(std::span<const GroupFindings> groups, std::span<const int> groups_of_runs,
                        const Constant& constant, std::vector<int> shape);
 
+// The mean of the film of paths of n vertices, the same way, for each n; of a large film, too.
+std::vector<LengthShare> pooled_lengths(std::span<const GroupFindings> groups,
+                                        std::span<const int> groups_of_runs,
+                                        const Constant& constant);
+
 }  // namespace wander

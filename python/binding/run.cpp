@@ -212,9 +212,10 @@ constexpr const char* anew = "render the scene anew";
 
 // From the checkpoint in a directory; with its scene, and its budget.
 std::tuple<std::unique_ptr<BoundRun>, BoundScene, std::string> resumed(
-    const std::string& directory) {
+    const std::string& directory, const std::string& scene_now) {
   Checkpoint kept = read_checkpoint(directory, anew);
-  const BoundScene scene{reopened(kept.scene), kept.scene.source};
+  const BoundScene scene{reopened(kept.scene, scene_now),
+                         scene_now.empty() ? kept.scene.source : scene_now};
   const std::string budget = kept.budget;
   RunRequest request{scene, kept.method, kept.dials, kept.seed, "wanderlight.open_run"};
   const BoundRecord record{std::make_shared<const RunRecord>(read_run(directory))};
@@ -229,7 +230,7 @@ void bind_run(nb::module_& module) {
   nb::class_<BoundRun>(module, "Run", "A run that goes on as often as it is asked.")
       .def(nb::new_(&begin), nb::arg("scene"), nb::arg("method"), nb::arg("dials"), nb::arg("seed"),
            nb::arg("command_line"))
-      .def_static("resumed", &resumed, nb::arg("directory"),
+      .def_static("resumed", &resumed, nb::arg("directory"), nb::arg("scene"),
                   "From its checkpoint; with its scene, and its budget.")
       .def("go_on", &BoundRun::go_on, nb::arg("budget"), nb::arg("threads"), nb::arg("rest").none(),
            nb::arg("progress").none())

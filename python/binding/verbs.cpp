@@ -50,7 +50,8 @@ std::pair<std::string, std::string> check_of(const BoundScene& scene, const Text
 
 // ---- runs of different seeds
 
-BoundRecord merged(const std::vector<std::string>& directories, int threads) {
+BoundRecord merged(const std::vector<std::string>& directories, const std::string& scene,
+                   int threads) {
   if (directories.empty()) throw UsageError("merge takes at least one run");
   std::vector<MergePart> parts;
   for (const std::string& directory : directories) parts.push_back(read_part(directory));
@@ -60,10 +61,11 @@ BoundRecord merged(const std::vector<std::string>& directories, int threads) {
   const Session session = listening.session(first.seed, threads);
   BoundRecord record;
   listening.carry_out([&] {
-    const SceneDocument document = reopened(first.scene);
+    const SceneDocument document = reopened(first.scene, scene);
     const Job job(document.scene, find_method(first.method), first.turned());
     RunRecord run{merge(job, parts, session), provenance_of(document, "wanderlight.merge")};
-    const std::vector<std::string> doubts = scene_warnings(document, first.scene.source);
+    const std::vector<std::string> doubts =
+        scene_warnings(document, scene.empty() ? first.scene.source : scene);
     run.rendering.warnings.insert(run.rendering.warnings.begin(), doubts.begin(), doubts.end());
     record.run = std::make_shared<const RunRecord>(std::move(run));
   });
@@ -89,7 +91,7 @@ void bind_verbs(nb::module_& module) {
   module.def("check", &check_of, nb::arg("scene"), nb::arg("dials"), nb::arg("samples"),
              nb::arg("seed"), nb::arg("threads"), nb::arg("progress").none(),
              "The findings as JSON and as text.");
-  module.def("merge", &merged, nb::arg("directories"), nb::arg("threads"));
+  module.def("merge", &merged, nb::arg("directories"), nb::arg("scene"), nb::arg("threads"));
   module.def("import_mitsuba", &imported, nb::arg("file"), nb::arg("out"), nb::arg("parameters"),
              nb::arg("approximate"), "What is not exact, each with its place.");
 }

@@ -28,6 +28,7 @@ _READ = ("run.json", "film.nc")
 class _Job(NamedTuple):
     text: str
     source: str
+    meshes: Mapping[str, str]
     files: Mapping[str, str]
     method: str
     dials: Mapping[str, str]
@@ -59,9 +60,13 @@ def budgets_of_runs(budget: Budget, runs: int) -> list[str]:
     return [str(samples // runs + (1 if k < samples % runs else 0)) for k in range(runs)]
 
 
+def _sent(scene: Scene) -> tuple[str, str, Mapping[str, str], Mapping[str, str]]:
+    return scene.text, scene.source, scene._meshes.texts if scene._meshes else {}, scene.files
+
+
 def _scene_of(job: _Job) -> Scene:
     """On a worker; raises SceneError where a file that the scene names is not the one that was sent for."""
-    scene = _again(job.text, job.source)
+    scene = _again(job.text, job.source, job.meshes)
     changed = [name for name, digest in job.files.items() if scene.files.get(name) != digest]
     if changed:
         raise SceneError(
@@ -135,11 +140,13 @@ def render_on(
     >>> from distributed import Client                                                      # doctest: +SKIP
     >>> wl.render("gallery:slit", "mlt", "8M", client=Client("tcp://scheduler:8786"))       # doctest: +SKIP
     """
+    if seed + runs - 1 >= 2**64:
+        raise UsageError(f"seed {seed}: the last of {runs} runs would have one that is not below 2^64")
     seeds = range(seed, seed + runs)
     # What is wrong is said here, before anything is sent.
     _wander.Run(scene._bound, method, dict(dials), seed, "")
     jobs = [
-        _Job(scene.text, scene.source, scene.files, method, dict(dials), each, part, threads, _MERGED)
+        _Job(*_sent(scene), method, dict(dials), each, part, threads, _MERGED)
         for each, part in zip(seeds, budgets_of_runs(budget, runs))
     ]
     with tempfile.TemporaryDirectory(prefix="wanderlight-") as folder:
@@ -166,9 +173,7 @@ def make_turns(client: Client, scene: Scene, engine: _wander.Comparison, threads
     """
     jobs = [
         _Job(
-            scene.text,
-            scene.source,
-            scene.files,
+            *_sent(scene),
             turn["method"],
             turn["dials"],
             turn["seed"],

@@ -173,6 +173,8 @@ def image(result: Result, ax: Axes | None = None, *, exposure: float = 0.0) -> A
 def difference(result: Result, other: Result, ax: Axes | None = None) -> Axes:
     """How far two films are from each other, in units of the error of both: N(0, 1), without structure, if they agree.
 
+    Of films in colour the channels lie side by side. Where nothing is known of either film it is blank.
+
     Parameters
     ----------
     result, other : Result
@@ -199,9 +201,13 @@ def difference(result: Result, other: Result, ax: Axes | None = None) -> Axes:
         ax.step(result.film.coords["position"], z, where="mid", color=_STYLE["ink"], lw=0.8)
         ax.set(xlabel=_label(result.axes["position"]), ylabel="difference, standard errors")
         return ax
-    shown = ax.imshow(z if z.ndim == 2 else z.mean(axis=2), cmap="RdBu_r", vmin=-4, vmax=4, interpolation="nearest")
+    channels = [z] if z.ndim == 2 else [z[..., k] for k in range(z.shape[2])]
+    shown = ax.imshow(np.hstack(channels), cmap="RdBu_r", vmin=-4, vmax=4, interpolation="nearest")
     ax.figure.colorbar(shown, ax=ax, label="difference, standard errors")
     ax.set(xticks=[], yticks=[])
+    if len(channels) > 1:
+        width = z.shape[1]
+        ax.set_xticks([width * (k + 0.5) - 0.5 for k in range(len(channels))], ["red", "green", "blue"])
     return ax
 
 
@@ -238,6 +244,8 @@ def paths(
     ['rejected', 'accepted']
     """
     ax = _axes(ax)
+    if trace["proposal"]["x"].shape[-1] != 2:
+        raise ValueError("these paths are in space: `wander plot FILE.nc --figure paths` draws them as the camera sees them")
     if scene is not None:
         globals()["scene"](scene, ax)
     accepted = np.asarray(trace["sample_stats"]["accepted"].isel(chain=chain).isel(draw=draws)).astype(bool)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import os
+import warnings
 from pathlib import Path
-from typing import TYPE_CHECKING, Iterator, Sequence, Union
+from typing import TYPE_CHECKING, Iterable, Iterator, Union
 
 from . import _wander
-from .errors import Interrupted, UsageError
+from .errors import Interrupted, SceneError, UsageError
 from .progress import Bar, Progress
 from .result import Result
-from .scene import Scene, SceneLike, load
+from .scene import Scene, SceneLike, _OwnMeshes, load
 from .words import Budget, Setting, budget_text, command_line, counted, seeded, setting_texts
 
 if TYPE_CHECKING:
@@ -131,6 +132,7 @@ class Run(Result):
         """
         self._record  # there is one
         self._engine.write(str(directory), overwrite, exposure)
+        self._scene._save_meshes(Path(directory))
 
     def _go_on(self, rest: float | None, progress: Progress) -> bool:
         """True if the budget is reached."""
@@ -253,23 +255,28 @@ def render(
     return begin(scene, method, budget, seed=seed, threads=threads, **dials).advance(progress=progress)
 
 
-def open_run(path: PathLike) -> Result:
+def open_run(path: PathLike, *, scene: PathLike | None = None) -> Result:
     """A run that was saved, by `Run.save` or by `wander render`.
 
     Parameters
     ----------
     path : str or Path
         Its directory, or its run.json, film.exr or film.nc.
+    scene : str or Path, optional
+        Where its scene is now, if that names meshes or textures that have moved.
 
     Returns
     -------
     Run or Result
-        A `Run`, which goes on where it was, if its directory holds a checkpoint.
+        A `Run`, which goes on where it was, if its directory holds a checkpoint and the files of its scene are to be
+        had; else a `Result`, and where it is for want of these a warning that says so.
 
     Raises
     ------
     FileError
         Where there is no run, or a damaged one.
+    UsageError
+        Where `scene` is another.
 
     Examples
     --------
@@ -284,19 +291,35 @@ def open_run(path: PathLike) -> Result:
     result = Result(record, None)
     if not (Path(path) / "checkpoint").is_file():
         return result
-    engine, scene, budget = _wander.Run.resumed(str(path))
-    run = Run(engine, Scene._of(scene), budget, 0)
+    try:
+        engine, found, budget = _wander.Run.resumed(str(path), str(scene or ""))
+    except SceneError as problem:
+        if scene is not None:
+            raise
+        warnings.warn(f"{path} can be looked at, but not go on: {problem}", stacklevel=2)
+        return result
+    run = Run(engine, Scene._of(found, _own_meshes_of(found, Path(path))), budget, 0)
     run._made = record
     return run
 
 
-def merge(runs: Sequence[PathLike], *, threads: int = 0) -> Result:
+def _own_meshes_of(scene: _wander.Scene, directory: Path) -> _OwnMeshes | None:
+    """Of a scene that was built of parts, those that `Run.save` wrote beside the run."""
+    if not scene.source.endswith(">"):
+        return None
+    files = [directory / name for name in scene.files if (directory / name).is_file()]
+    return _OwnMeshes({file.name: file.read_text(encoding="ascii") for file in files}) if files else None
+
+
+def merge(runs: Iterable[PathLike], *, scene: PathLike | None = None, threads: int = 0) -> Result:
     """Runs of one scene and method with different seeds as one run of all their samples.
 
     Parameters
     ----------
-    runs : sequence of str or Path
+    runs : iterable of str or Path
         Their directories, with their checkpoints, in any order.
+    scene : str or Path, optional
+        Where their scene is now, if that names meshes or textures that have moved.
     threads : int
         0: all cores.
 
@@ -322,7 +345,8 @@ def merge(runs: Sequence[PathLike], *, threads: int = 0) -> Result:
     """
     if isinstance(runs, (str, os.PathLike)):
         raise UsageError(f"merge {runs}: give the directories of several runs, in a list")
-    for run in runs:
+    directories = list(runs)
+    for run in directories:
         if not isinstance(run, (str, os.PathLike)):
             raise UsageError(f"merge takes the directories of runs that were saved, not a {type(run).__name__}")
-    return Result(_wander.merge([str(run) for run in runs], threads), None)
+    return Result(_wander.merge([str(run) for run in directories], str(scene or ""), threads), None)

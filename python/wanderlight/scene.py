@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import tempfile
 from pathlib import Path
@@ -62,22 +63,19 @@ class Scene:
         description: str | None = None,
         folder: str | Path | None = None,
     ) -> None:
-        self._kept: tempfile.TemporaryDirectory[str] | None = None
         document = _Writer(list(shapes), camera)
         about = {"name": name, "description": description, "max_vertices": max_vertices}
-        if document.meshes:
+        self._meshes = _OwnMeshes(document.meshes) if document.meshes else None
+        if self._meshes:
             if folder is not None:
                 raise ValueError("meshes of arrays lie in a folder of their own: leave out folder=, or save them there")
-            self._kept = tempfile.TemporaryDirectory(prefix="wanderlight-")
-            folder = self._kept.name
-            for file, mesh in document.meshes.items():
-                Path(folder, file).write_text(mesh.to_obj(), encoding="ascii")
+            folder = self._meshes.folder
         self._bound = _parsed(document.as_dict(about), name or "scene", folder)
 
     @classmethod
-    def _of(cls, bound: _wander.Scene) -> Scene:
+    def _of(cls, bound: _wander.Scene, meshes: _OwnMeshes | None = None) -> Scene:
         scene = cls.__new__(cls)
-        scene._kept = None
+        scene._meshes = meshes
         scene._bound = bound
         return scene
 
@@ -142,8 +140,13 @@ class Scene:
         return self._bound.figure(width)
 
     def save(self, path: str | Path) -> None:
-        """Writes the scene file; its meshes stay where they are."""
+        """Writes the scene file, and beside it the meshes that are made of arrays; files of meshes stay where they are."""
         Path(path).write_text(self.text, encoding="utf-8")
+        self._save_meshes(Path(path).parent)
+
+    def _save_meshes(self, folder: Path) -> None:
+        if self._meshes:
+            self._meshes.save(folder)
 
     def __repr__(self) -> str:
         return f"<wanderlight.Scene {self.name!r}, {self.dimension}D, at most {self.max_vertices} vertices>"
@@ -152,14 +155,31 @@ class Scene:
         return self.svg()
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _again, (self.text, self.source)
+        return _again, (self.text, self.source, self._meshes.texts if self._meshes else {})
 
 
 SceneLike = Union[Scene, str, Path, Mapping[str, Any]]
 
 
-def _again(text: str, source: str) -> Scene:
-    return Scene._of(_wander.Scene.parse(text, source))
+def _again(text: str, source: str, meshes: Mapping[str, str] | None = None) -> Scene:
+    if not meshes:
+        return Scene._of(_wander.Scene.parse(text, source))
+    own = _OwnMeshes(meshes)
+    return Scene._of(_wander.Scene.parse(text, str(Path(own.folder, Path(source).name))), own)
+
+
+class _OwnMeshes:
+    """The OBJ files of meshes that are made of arrays, by name, in a folder that lasts as long as they."""
+
+    def __init__(self, texts: Mapping[str, str]) -> None:
+        self.texts = dict(texts)
+        self._place = tempfile.TemporaryDirectory(prefix="wanderlight-")
+        self.folder = self._place.name
+        self.save(Path(self.folder))
+
+    def save(self, folder: Path) -> None:
+        for file, text in self.texts.items():
+            Path(folder, file).write_text(text, encoding="ascii")
 
 
 def _parsed(document: Mapping[str, Any], name: str, folder: str | Path | None) -> _wander.Scene:
@@ -172,7 +192,7 @@ class _Writer:
 
     def __init__(self, shapes: list[Shape], camera: Camera | None) -> None:
         self.materials: dict[str, dict[str, Any]] = {}
-        self.meshes: dict[str, Mesh] = {}
+        self.meshes: dict[str, str] = {}  # the text of each, by its file
         self.dimension = 2
         self.shapes = [self._shape(shape) for shape in shapes]
         self.camera = camera.to_dict() if camera else None
@@ -195,8 +215,9 @@ class _Writer:
         if shape.material is not None:
             said["material"] = self._name_of(shape.material)
         if isinstance(shape, Mesh) and shape.file is None:
-            said["file"] = f"mesh-{len(self.meshes) + 1}.obj"
-            self.meshes[said["file"]] = shape
+            text = shape.to_obj()
+            said["file"] = f"mesh-{hashlib.sha256(text.encode()).hexdigest()[:12]}.obj"
+            self.meshes[said["file"]] = text
         return said
 
     def _name_of(self, material: Material) -> str:

@@ -77,7 +77,7 @@ def trace(
     steps, every, chains = counted("steps", steps), counted("every", every), counted("chains", chains)
     read = load(scene)
     settings = setting_texts(dials)
-    first, end = window if window is not None else (0, steps)
+    first, end = (counted("window", at, 0) for at in (window if window is not None else (0, steps)))
     words: list[Any] = ["trace", read.source, "-m", method, "--chains", chains, "--window", f"{first}:{end}"]
     words += ["--every", every, "-s", seed]
     with Bar(progress) as bar:

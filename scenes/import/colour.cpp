@@ -97,7 +97,11 @@ Colour of_spectrum(const XmlElement& element, Light light, const ImportContext& 
     context.diagnosis.inexact(element, "a spectrum over wavelengths", "its colour");
     return colour_of(*spectrum, light);
   }
-  if (const auto colour = one_or_three(text)) return *colour;
+  if (auto colour = one_or_three(text)) {
+    if (light == Light::emitted)
+      for (std::size_t i = 0; i < 3; ++i) (*colour)[i] *= equal_energy()[i];
+    return *colour;
+  }
   context.diagnosis.fault(
       element, fmt::format("\"{}\" is no spectrum; give one number, or wavelength:value pairs in "
                            "growing order",

@@ -51,6 +51,8 @@ class SceneImport {
     if (child.tag == "shape") return shapes_.add(child);
     if (child.tag == "sensor") return read_sensor(child);
     if (child.tag == "integrator") return read_integrator(child);
+    if (child.tag == "emitter" && child.type() == "area" && child.has("id"))
+      return;  // a shape refers to it
     if (child.tag == "emitter")
       return diagnosis_.inexact(child, fmt::format("the emitter \"{}\"", excerpt(child.type())),
                                 "nothing");

@@ -8,6 +8,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <numbers>
+#include <utility>
 
 #include "scenes/format/json_text.h"
 #include "scenes/import/number_words.h"
@@ -103,13 +104,14 @@ class SensorReader {
   }
 
   void read_crop(Plugin& film) {
-    const bool is_whole = film.integer("crop_width", resolution_[0]) == resolution_[0] &&
-                          film.integer("crop_height", resolution_[1]) == resolution_[1] &&
-                          film.integer("crop_offset_x", 0) == 0 &&
-                          film.integer("crop_offset_y", 0) == 0;
-    for (const char* name : {"crop_width", "crop_height", "crop_offset_x", "crop_offset_y"})
-      if (!is_whole && film.has(name))
-        return inexact(film.where(name), "a part of a film", "all of it");
+    const std::array<std::pair<const char*, int>, 4> whole{{{"crop_width", resolution_[0]},
+                                                            {"crop_height", resolution_[1]},
+                                                            {"crop_offset_x", 0},
+                                                            {"crop_offset_y", 0}}};
+    const char* part = nullptr;
+    for (const auto& [name, usual] : whole)  // all are read, or the rest would not be known
+      if (film.integer(name, usual) != usual && part == nullptr) part = name;
+    if (part != nullptr) inexact(film.where(part), "a part of a film", "all of it");
   }
 
   void read_filter(Plugin& film) {

@@ -67,6 +67,8 @@ double daylight_at(int x) {
 
 }  // namespace
 
+Colour equal_energy() { return rec709({1, 1, 1}); }
+
 Colour colour_of(const Spectrum& spectrum, Light light) {
   Colour result;
   if (light == Light::emitted) {

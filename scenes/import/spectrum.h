@@ -15,4 +15,7 @@ using Spectrum = std::vector<std::pair<double, double>>;
 // spectrum is grey.  What no screen can show is clipped.
 Colour colour_of(const Spectrum& spectrum, Light light);
 
+// What it is to emit as much at all wavelengths, of luminance one.
+Colour equal_energy();
+
 }  // namespace wander

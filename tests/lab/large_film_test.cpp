@@ -81,6 +81,30 @@ TEST(PooledLargeFilms, AreTheSmallOnesUpToTheRoundingOfFloat) {
     EXPECT_LT(errors, 1.5);
   }
 }
+
+// What of b is of paths of each length is what their films have, of both sides together; and known as well as they.
+TEST(PooledLargeFilms, HaveTheLengthsOfTheirFilmsAsSmallOnesDo) {
+  for (const char* method : {"mlt", "pssmlt", "mmlt"})
+    for (const FilmLayout& layout : {large, small}) {
+      SCOPED_TRACE(method);
+      const Rendering x =
+          rendered(method, layout, NormalizationMethod::bridge, 2, FilmParts::pooled);
+      const auto& lengths = x.normalization->by_length;
+      ASSERT_EQ(lengths.size(), x.film.by_length.size());
+      double sum = 0;
+      for (const LengthShare& length : lengths) {
+        const std::vector<double>& film = x.film.by_length.at(length.vertices);
+        const double mean =
+            std::accumulate(film.begin(), film.end(), 0.0) / static_cast<double>(film.size());
+        EXPECT_NEAR(length.value, mean, 2e-6 * x.normalization->value) << length.vertices;
+        EXPECT_GT(length.standard_error, 0);
+        sum += length.value;
+      }
+      EXPECT_NEAR(sum, x.normalization->value, 1e-9 * sum);
+      // Direct light is a third of it, and seen by nearly all samples.
+      EXPECT_LT(lengths.front().standard_error, 0.1 * lengths.front().value);
+    }
+}
 TEST(PooledLargeFilms, DoNotDependOnTheThreads) {
   const auto made = [](int threads) {
     return rendered("mlt", large, NormalizationMethod::bridge, threads, FilmParts::pooled);

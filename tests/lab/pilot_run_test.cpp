@@ -6,6 +6,7 @@
 
 #include <array>
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -67,10 +68,12 @@ struct Outcome {
   std::uint64_t steps;
 };
 
+const auto never = [](const Pilot&) { return false; };
+
 // What a pilot finds, if `before_chains` raises what interrupts it, or its first step does.
 template <class BeforeChains>
 Outcome outcome(std::atomic<bool>& interrupted, std::atomic<bool>* raised_by_step,
-                BeforeChains&& before_chains) {
+                BeforeChains&& before_chains, const std::function<bool(const Pilot&)>& is_decided) {
   Session session;
   session.budget = SampleBudget{1'000'000};
   session.threads = 1;
@@ -84,29 +87,43 @@ Outcome outcome(std::atomic<bool>& interrupted, std::atomic<bool>* raised_by_ste
   };
   PilotRun pilot(make, 1, resolution, run);
   before_chains();
-  Pilot found = pilot.with_chains(1, 1000);
+  Pilot found = pilot.with_chains(1, 1000, is_decided);
   return {std::move(found), made->is_started(), made->steps()};
 }
 
 TEST(PilotRun, TellsWhatItsChainsFound) {
   std::atomic<bool> interrupted = false;
-  const Outcome all = outcome(interrupted, nullptr, [] {});
+  const Outcome all = outcome(
+      interrupted, nullptr, [] {}, never);
   EXPECT_TRUE(all.is_started);
   EXPECT_EQ(all.steps, 1'000'000 / 32);
   EXPECT_EQ(all.pilot.chains.size(), groups);
   EXPECT_FALSE(all.pilot.borders.empty());
 }
 
+TEST(PilotRun, EndsAfterAQuarterOfItsStepsWhereTheseDecide) {
+  std::atomic<bool> interrupted = false;
+  bool is_asked = false;
+  const auto decided = [&](const Pilot& early) { return is_asked = !early.borders.empty(); };
+  const Outcome early = outcome(
+      interrupted, nullptr, [] {}, decided);
+  EXPECT_TRUE(is_asked);
+  EXPECT_EQ(early.steps, 1'000'000 / 32 / 4);
+  EXPECT_EQ(early.pilot.steps_per_chain, 1000) << "of the run";
+}
+
 TEST(PilotRun, StartsNoChainsOnceItIsInterrupted) {
   std::atomic<bool> interrupted = false;
-  const Outcome early = outcome(interrupted, nullptr, [&] { interrupted = true; });
+  const Outcome early = outcome(
+      interrupted, nullptr, [&] { interrupted = true; }, never);
   EXPECT_FALSE(early.is_started);
   EXPECT_GT(early.pilot.samples, 0);
 }
 
 TEST(PilotRun, WeighsNothingOnceItIsInterrupted) {
   std::atomic<bool> interrupted = false;
-  const Outcome stopped = outcome(interrupted, &interrupted, [] {});
+  const Outcome stopped = outcome(
+      interrupted, &interrupted, [] {}, never);
   EXPECT_TRUE(stopped.is_started);
   EXPECT_LT(stopped.steps, 1'000'000 / 32);
   EXPECT_EQ(stopped.pilot.samples, 0);

@@ -66,6 +66,19 @@ def test_images_have_rows_columns_and_channels(tmp_path):
     assert np.array_equal(reopened.standard_error.to_numpy(), run.standard_error.to_numpy(), equal_nan=True)
 
 
+def test_differences_of_colours_are_those_of_each_channel():
+    floor = wl.Parallelogram((-2, -2, 0), [(4, 0, 0), (0, 4, 0)], material=wl.Diffuse(0.5))
+    lamp = wl.Parallelogram((-1, -1, 4), [(0, 2, 0), (2, 0, 0)], light=(5, 0, 5))
+    scene = wl.Scene([floor, lamp], camera=wl.Camera((0, 0, 3), (0, 0, 0), 60, (12, 10)))
+    one, two = (wl.render(scene, "bdpt", "100k", seed=seed) for seed in (1, 2))
+    shown = wl.plot.difference(one, two).images[0].get_array()
+    assert shown.shape == (10, 36)
+    red, green, blue = np.hsplit(np.ma.filled(shown, np.nan), 3)
+    assert np.isnan(green).all() and np.isfinite(red).all()
+    # 120 values of N(0, 1), for both channels are of one light: their mean square is within 0.5 of 1 but for 1e-4.
+    assert abs(np.mean(np.hstack([red, blue]) ** 2) - 1) < 0.5
+
+
 def test_intervals_are_those_of_student():
     run = wl.render("gallery:furnace", "mlt", "100k")
     low, high = run.interval(0.9)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import pickle
 
@@ -101,6 +102,82 @@ def test_every_part_of_space_renders():
     )
     run = wl.render(scene, "bdpt", "20k")
     assert run.film.shape == (12, 16, 3) and float(run.film.mean()) > 0
+
+
+def tent(name="tent"):
+    """Of a mesh that is made of arrays."""
+    cloth = wl.Mesh(
+        points=[(-1, -1, 0), (1, -1, 0), (0, 1, 0), (0, 0, 0.5)],
+        faces=[(0, 1, 3), (1, 2, 3), (2, 0, 3)],
+        material=wl.Diffuse(0.5),
+    )
+    lamp = wl.Parallelogram((-1, -1, 4), [(0, 2, 0), (2, 0, 0)], light=(5, 3, 1))
+    return wl.Scene([cloth, lamp], camera=wl.Camera((0, 0, 3), (0, 0, 0), 60, (5, 4)), name=name)
+
+
+def films(tmp_path, *seeds):
+    """Of runs that are saved, and whose scene is gone, as in another process."""
+    values = [wl.render(tent(), "bdpt", "4k", seed=seed) for seed in seeds]
+    for seed, run in zip(seeds, values):
+        run.save(tmp_path / str(seed))
+    values = [run.film.to_numpy().copy() for run in values]
+    gc.collect()
+    return values
+
+
+def test_meshes_of_arrays_are_saved_with_their_scene(tmp_path):
+    scene = tent()
+    scene.save(tmp_path / "tent.json")
+    again = wl.load(tmp_path / "tent.json")
+    assert again.files == scene.files and list(scene.files)
+    assert np.array_equal(wl.render(again, "bdpt", "4k").film, wl.render(scene, "bdpt", "4k").film)
+
+
+def test_meshes_of_arrays_are_pickled_with_their_scene():
+    scene = tent()
+    files, text = scene.files, pickle.dumps(scene)
+    before = wl.render(scene, "bdpt", "4k").film.to_numpy().copy()
+    del scene
+    gc.collect()
+    again = pickle.loads(text)
+    assert again.files == files and np.array_equal(wl.render(again, "bdpt", "4k").film, before)
+    assert pickle.loads(pickle.dumps(again)).files == files
+
+
+def test_runs_of_meshes_of_arrays_go_on_without_their_scene(tmp_path, wander):
+    one, two = films(tmp_path, 1, 2)
+    run = wl.open_run(tmp_path / "1")
+    assert np.array_equal(run.film, one)
+    assert run.advance("6k").samples == 6000
+    run.save(tmp_path / "more")
+    assert wl.open_run(tmp_path / "more").advance("8k").samples == 8000
+    both = wl.merge([tmp_path / "1", tmp_path / "2"])
+    assert np.allclose(both.film, (one + two) / 2)
+    wander("merge", tmp_path / "1", tmp_path / "2", "-q", "-o", tmp_path / "both")
+    wander("render", "--continue", "-q", "-o", tmp_path / "2", "-b", "8k")
+    wander("render", "--continue", "-q", "-o", tmp_path / "2", "-b", "10k")
+
+
+def test_runs_whose_files_have_moved_are_looked_at_and_go_on_where_they_are_named(tmp_path):
+    tent().save(make(tmp_path / "here") / "tent.json")
+    for seed in (1, 2):
+        wl.render(tmp_path / "here" / "tent.json", "bdpt", "4k", seed=seed).save(tmp_path / str(seed))
+    (tmp_path / "here").rename(tmp_path / "there")
+    scene, runs = tmp_path / "there" / "tent.json", [tmp_path / "1", tmp_path / "2"]
+    with pytest.warns(UserWarning, match="can be looked at, but not go on"):
+        assert wl.open_run(runs[0]).film.shape == (4, 5, 3)
+    assert wl.open_run(runs[0], scene=scene).advance("6k").samples == 6000
+    with pytest.raises(wl.SceneError):
+        wl.merge(runs)
+    assert wl.merge((run for run in runs), scene=scene).samples == 8000
+    tent("another").save(scene)
+    with pytest.raises(wl.UsageError, match="is not that of the runs"):
+        wl.open_run(runs[0], scene=scene)
+
+
+def make(folder):
+    folder.mkdir()
+    return folder
 
 
 def test_scenes_are_pickled_with_their_meshes():

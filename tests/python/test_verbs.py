@@ -145,6 +145,8 @@ def test_what_renders_refuse(tmp_path):
         (lambda: wl.check("gallery:furnace", samples=0), "samples"),
         (lambda: wl.trace("gallery:slit", chains=0), "chains"),
         (lambda: wl.trace("gallery:slit", steps=-3), "steps"),
+        (lambda: wl.trace("gallery:slit", window=(-1, 10)), "window"),
+        (lambda: wl.trace("gallery:slit", window=(0, 10.5)), "window"),
         (lambda: wl.replay("gallery:slit", chain=10**6, step=0), "chain"),
         (lambda: wl.compare("gallery:furnace", budgets=["1k"], replicates=1), "replicates"),
         (lambda: wl.compare("gallery:furnace", budgets=["1k"], target=2.0), "target"),

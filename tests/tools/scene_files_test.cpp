@@ -115,6 +115,25 @@ TEST_F(SceneFiles, ThatHaveMovedAreToBeNamed) {
                  {"--scene moved/scene.json is not that of the runs: their scene has other files"});
 }
 
+// What has no other place may lie beside the run, as the package of Python keeps meshes of arrays.
+TEST_F(SceneFiles, ThatAreGoneMayLieBesideTheRun) {
+  fs::create_directory(folder / "away");
+  fs::copy(folder / "scene.json", folder / "away/scene.json");
+  fs::copy(folder / "tri.obj", folder / "away/tri.obj");
+  for (const char* run : {"a", "b"})
+    ASSERT_EQ(wander(std::string("render away/scene.json -m bdpt -b 2k -q -o ") + run + " -s " +
+                     (run[0] == 'a' ? "1" : "2"))
+                  .exit_code,
+              0);
+  fs::remove_all(folder / "away");
+  EXPECT_EQ(wander("render --continue -o a -b 3k -q").exit_code, 3);
+  for (const char* run : {"a", "b"}) fs::copy(folder / "tri.obj", folder / run / "tri.obj");
+  EXPECT_EQ(wander("merge a b -o both -q").exit_code, 0);
+  EXPECT_EQ(wander("render --continue -o a -b 3k -q").exit_code, 0);
+  write("b/tri.obj", small);
+  expect_refused("render --continue -o b -b 3k", {"what it names is not what it was"});
+}
+
 // A reference that was kept for the scene as it was would be taken for the truth of another.
 TEST_F(SceneFiles, HaveReferencesOfTheirOwn) {
   const auto compare = [&](const std::string& out) {

@@ -167,5 +167,12 @@ TEST(Pooling, LeavesHardlyAnyLightToChainsThatHardlyKnowIt) {
   EXPECT_GE(further, 1);
 }
 
+TEST(Pooling, IsLeftToSamplesFromABorderThatHasNoEnd) {
+  constexpr double b = 3;
+  EXPECT_TRUE(is_left_to_samples({.partition = {.c = 0x1p10 * b}}, b));
+  EXPECT_FALSE(is_left_to_samples({.partition = {.c = 0x1p9 * b}}, b));
+  EXPECT_FALSE(is_left_to_samples({.partition = {.c = 0x1p10 * b, .end = 0x1p15 * b}}, b));
+}
+
 }  // namespace
 }  // namespace wander::test::cautious_pooling_test

@@ -114,6 +114,14 @@ TEST_F(ImportedCameras, OfWhichPartsCannotBeSaidAreApproximate) {
                    "</sensor>");
   };
   approximate(with("<integer name='crop_width' value='5'/>"), "a part of a film");
+  for (const char* offset : {"1", "0"}) {
+    const auto part = [&](const char* name, const char* value) {
+      return std::string("<integer name='crop_") + name + "' value='" + value + "'/>";
+    };
+    approximate(with(part("width", offset == std::string("1") ? "5" : "20") + part("height", "9") +
+                     part("offset_x", offset) + part("offset_y", "1")),
+                "a part of a film");
+  }
   exact(with("<integer name='crop_width' value='20'/><integer name='crop_offset_x' value='0'/>"));
   approximate(with("", "<float name='principal_point_offset_x' value='0.1'/>"), "that is shifted");
   approximate(with("", "<transform name='to_world'><scale x='-1'/></transform>"), "mirrors");

@@ -1,0 +1,19 @@
+// Light that samples found and chains did not meet, by the classes of its paths.
+//
+// Chains that hardly come from one kind of path to another know as much of a kind as there are chains that began in it;
+// where none did, their groups are alike, and how they differ says nothing of it.  The octaves of l tell that only of light
+// that many samples found (bridge.cpp).  A class tells it of what few of them did: were chains to come and go, those of many
+// groups would have been there.
+#pragma once
+
+#include <span>
+
+#include "mlt/run/group_findings.h"
+
+namespace wander {
+
+// As a share of all light: what the samples with seeds found in classes where the states of no more than one group were, though
+// they would be a few in each, over the share that the states have there.  0 where states have no class.
+double unmet_light(std::span<const GroupFindings> groups);
+
+}  // namespace wander

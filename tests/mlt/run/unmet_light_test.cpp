@@ -1,0 +1,90 @@
+// Light that chains did not meet, by classes, of findings made up by hand; and what the bridge makes of it.
+#include "mlt/run/unmet_light.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <deque>
+#include <vector>
+
+#include "mlt/run/bridge.h"
+#include "tests/mlt/run/bridge_sides.h"
+
+namespace wander::test {
+namespace unmet_light_test {
+namespace {
+
+constexpr PathClass easy = 0b10, hard = 0b101, rare = 0b1101;
+constexpr int groups = 8;
+constexpr double states_of_group = 100;
+
+// The light of each class that samples found, and states showed, of a group.
+struct Found {
+  double samples[3], states[3];
+};
+
+class Groups {
+ public:
+  void add(const Found& found) {
+    SeedEvidence& evidence = evidence_.emplace_back(1, 1);
+    RatioHistogram& states = states_.emplace_back();
+    for (int i = 0; i < static_cast<int>(states_of_group); ++i) states.add(1);
+    GroupFindings group{nullptr, nullptr, &evidence, nullptr, {}, 1, {{&states, 1}}};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const PathClass code = std::array{easy, hard, rare}[c];
+      *entries_of(evidence.by_class, evidence.classes.index(code)) += found.samples[c];
+      if (found.states[c] > 0) group.classes.push_back({code, found.states[c]});
+    }
+    findings_.push_back(group);
+  }
+  double unmet() const { return unmet_light(findings_); }
+  std::vector<GroupFindings>& findings() { return findings_; }
+
+ private:
+  std::deque<SeedEvidence> evidence_;
+  std::deque<RatioHistogram> states_;
+  std::vector<GroupFindings> findings_;
+};
+
+// Group g is `first`, all others are `rest`.
+Groups made(int first, const Found& of_first, const Found& rest) {
+  Groups all;
+  for (int g = 0; g < groups; ++g) all.add(g < first ? of_first : rest);
+  return all;
+}
+
+TEST(UnmetLight, IsThatOfClassesThatNoGroupOrOneMet) {
+  const Found none{{0.7, 0.3, 0}, {1, 0, 0}}, some{{0.7, 0.3, 0}, {0.5, 0.5, 0}};
+  EXPECT_DOUBLE_EQ(made(0, some, none).unmet(), 0.3);
+  EXPECT_DOUBLE_EQ(made(1, some, none).unmet(), 0.3 - 0.5 / groups);
+  EXPECT_EQ(made(2, some, none).unmet(), 0) << "how two differ from the rest tells its error";
+  EXPECT_EQ(made(groups, some, none).unmet(), 0);
+}
+
+// What few states are to be expected of may be met by none, however well chains mix.
+TEST(UnmetLight, IsNoneOfClassesThatHardlyAnyStateIsExpectedOf) {
+  const Found below{{0.99, 0.0099, 0.0001}, {0.99, 0.01, 0}},
+      above{{0.97, 0.01, 0.02}, {0.99, 0.01, 0}};
+  EXPECT_EQ(made(0, below, below).unmet(), 0);
+  EXPECT_DOUBLE_EQ(made(0, above, above).unmet(), 0.02);
+}
+
+// As where what chains show has no class: none is to be missed.
+TEST(UnmetLight, IsNoneWhereStatesHaveNoClass) {
+  Groups all = made(0, {}, {{0.7, 0.3, 0}, {0, 0, 0}});
+  EXPECT_EQ(all.unmet(), 0);
+}
+
+// Chains that know b better than samples do are leaned on; of light that they have not met, no more than their groups'
+// number allows.
+TEST(UnmetLight, MakesTheBridgeLeanOnSamples) {
+  const auto sides = bridge_sides::simulate({.sigma = 2, .samples = 20'000, .states = 320'000}, 1);
+  const BridgeFit usual = bridge(sides.data()), doubtful = bridge(sides.data(), 0.1);
+  ASSERT_TRUE(usual.failure.empty() && doubtful.failure.empty());
+  EXPECT_LT(doubtful.balance, 0.1 * usual.balance);
+  EXPECT_GT(jackknife_error(doubtful.without), jackknife_error(usual.without));
+}
+
+}  // namespace
+}  // namespace unmet_light_test
+}  // namespace wander::test
