@@ -132,7 +132,8 @@ class Run(Result):
         """
         self._record  # there is one
         self._engine.write(str(directory), overwrite, exposure)
-        self._scene._save_meshes(Path(directory))
+        if self._scene is not None:
+            self._scene._save_meshes(Path(directory))
 
     def _go_on(self, rest: float | None, progress: Progress) -> bool:
         """True if the budget is reached."""
