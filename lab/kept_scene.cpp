@@ -54,7 +54,8 @@ KeptScene kept_scene(const SceneDocument& document, const std::string& source) {
 
 SceneDocument reopened(const KeptScene& scene) {
   std::optional<SceneDocument> found = in_folder(scene.folder, scene);
-  if (!found && !scene.folder.empty()) found = in_folder(scene.beside, scene);
+  if (!scene.folder.empty() && (!found || found->digest != scene.digest))
+    if (auto beside = in_folder(scene.beside, scene); beside) found = std::move(beside);
   SceneDocument document = found ? *std::move(found) : in_this_place(scene);
   if (const auto changed = changed_files(scene.digest, document.digest); !changed.empty())
     throw UsageError(fmt::format(
@@ -67,7 +68,7 @@ SceneDocument reopened(const KeptScene& scene, const std::string& now) {
   if (now.empty()) return reopened(scene);
   SceneDocument document = open_scene(now);
   if (const auto other = difference(scene, kept_scene(document, now)))
-    throw UsageError(fmt::format("--scene {} is not that of the runs: their {}", now, *other));
+    throw UsageError(fmt::format("scene {} is not that of the run: its {}", now, *other));
   return document;
 }
 

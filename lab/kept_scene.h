@@ -13,12 +13,12 @@ namespace wander {
 
 struct KeptScene {
   std::string source{};  // as it was named
-  std::string
-      folder{};  // of the scene, if it names files: where it was, whatever place is the present one
+  // Of the scene, if it names files: where it was, whatever place is the present one.
+  std::string folder{};
   std::string text{};
   SceneDigest digest{};
-  std::string
-      beside{};  // the directory that keeps it, in which its files may lie, too; this is not written
+  // The directory that keeps it, in which its files may lie, too; this is not written.
+  std::string beside{};
 };
 
 KeptScene kept_scene(const SceneDocument& document, const std::string& source);

@@ -102,7 +102,9 @@ class PilotRun {
     trial_->start(1);
     make_steps(budget_.steps() / 4, share_of_early);
     const Pilot early = found_by(worth);
-    if (Pilot so_far = extrapolated({}, early, steps_per_chain); is_decided(so_far)) return so_far;
+    if (trial_->steps() >= budget_.steps() / 4)
+      if (Pilot so_far = extrapolated({}, early, steps_per_chain); is_decided(so_far))
+        return so_far;
     make_steps(budget_.steps(), share_of_all);
     return extrapolated(early, found_by(worth), steps_per_chain);
   }

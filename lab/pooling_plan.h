@@ -34,8 +34,7 @@ class PoolingPlanner {
   // seen may be as bright as a pixel is.
   std::optional<PoolingPlan> by_samples(Pilot samples) const;
   PoolingPlan by_chains(Pilot pilot) const;
-  // Are chains left nothing but what is hardly known, of an image?  More steps tell more of what keeps chains from mixing,
-  // and no more of what samples lack: that they would be left more is not to be expected.
+  // Are chains left nothing but what is hardly known, of an image?  Then more steps of a pilot seldom change it.
   bool leaves_to_samples(const Pilot& pilot) const;
 
   // As far as it is known before the run.

@@ -21,9 +21,7 @@ class ClassParts {
   std::size_t size() const { return classes_.size(); }
   PathClass path_class(std::size_t index) const { return classes_.code(index); }
   double states(std::size_t index) const { return parts_[index].states; }
-  double of_chains(std::size_t index) const {
-    return parts_[index].of_chains;
-  }  // Σ of light times w_M
+  double of_chains(std::size_t index) const { return parts_[index].of_chains; }  // Σ of light times w_M
 
   template <class Archive>
   void serialize(Archive& archive) {

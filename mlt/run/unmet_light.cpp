@@ -41,10 +41,12 @@ double unmet_light(std::span<const GroupFindings> groups) {
   double unmet = 0;
   for (const auto& [path_class, light] : classes) {
     const double share = light.samples / all.samples;
-    if (light.met <= most_groups && share * of_each >= fewest_states)
-      unmet += std::max(0.0, share - light.states / all.states);
+    if (path_class != other_class && light.met <= most_groups && share * of_each >= fewest_states)
+      unmet += std::max(share - light.states / all.states, 0.0);
   }
-  return unmet;
+  const OfClass& other = classes[other_class];
+  return std::max(unmet - std::max(other.states / all.states - other.samples / all.samples, 0.0),
+                  0.0);
 }
 
 }  // namespace wander

@@ -12,8 +12,9 @@
 
 namespace wander {
 
-// As a share of all light: what the samples with seeds found in classes where the states of no more than one group were, though
-// they would be a few in each, over the share that the states have there.  0 where states have no class.
+// As a share of what is measured (light, or that of a map v): what the samples with seeds found in classes where the states of no more than one group were, though
+// they would be a few in each, over the share that the states have there.  What states have more of than samples in the paths
+// that have no class of their own (path_class.h) may be of these classes.  0 where states have no class.
 double unmet_light(std::span<const GroupFindings> groups);
 
 }  // namespace wander

@@ -1,7 +1,7 @@
 // What was proposed, and how much of it accepted, by place on the film, of each of several mutations.
 //
 // A table has room for all places and mutations, in each group of chains; a run on a large film may
-// meet few of them.  So the first proposals are a list, in their order.
+// meet few of them.  So where that is large the first proposals are a list, in their order.
 #pragma once
 
 #include <cstddef>

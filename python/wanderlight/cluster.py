@@ -156,6 +156,7 @@ def render_on(
                 if isinstance(files, BaseException):
                     raise files
                 parts.append(_write(files, Path(folder, f"run-{number}")))
+                scene._save_meshes(parts[-1])
         except KeyboardInterrupt as stop:
             so_far = merge(parts) if parts else None
             raise Interrupted(f"interrupted after {len(parts)} of {runs} runs", so_far) from stop

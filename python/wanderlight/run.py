@@ -11,7 +11,7 @@ from . import _wander
 from .errors import Interrupted, SceneError, UsageError
 from .progress import Bar, Progress
 from .result import Result
-from .scene import Scene, SceneLike, _OwnMeshes, load
+from .scene import Scene, SceneLike, _own_meshes_in, load
 from .words import Budget, Setting, budget_text, command_line, counted, seeded, setting_texts
 
 if TYPE_CHECKING:
@@ -277,7 +277,9 @@ def open_run(path: PathLike, *, scene: PathLike | None = None) -> Result:
     FileError
         Where there is no run, or a damaged one.
     UsageError
-        Where `scene` is another.
+        Where `scene` is another, or a file that it names has changed.
+    SceneError
+        Where `scene` is none.
 
     Examples
     --------
@@ -299,17 +301,9 @@ def open_run(path: PathLike, *, scene: PathLike | None = None) -> Result:
             raise
         warnings.warn(f"{path} can be looked at, but not go on: {problem}", stacklevel=2)
         return result
-    run = Run(engine, Scene._of(found, _own_meshes_of(found, Path(path))), budget, 0)
+    run = Run(engine, Scene._of(found, _own_meshes_in(Path(path), found.files)), budget, 0)
     run._made = record
     return run
-
-
-def _own_meshes_of(scene: _wander.Scene, directory: Path) -> _OwnMeshes | None:
-    """Of a scene that was built of parts, those that `Run.save` wrote beside the run."""
-    if not scene.source.endswith(">"):
-        return None
-    files = [directory / name for name in scene.files if (directory / name).is_file()]
-    return _OwnMeshes({file.name: file.read_text(encoding="ascii") for file in files}) if files else None
 
 
 def merge(runs: Iterable[PathLike], *, scene: PathLike | None = None, threads: int = 0) -> Result:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 import tempfile
 from pathlib import Path
 from typing import Any, Iterable, Mapping, Union
@@ -18,6 +19,7 @@ from .shapes import Mesh, Shape
 __all__ = ["Scene", "SceneLike", "gallery", "load"]
 
 FORMAT = "wanderlight-scene/1"
+_OWN_MESH = "mesh-[0-9a-f]{12}[.]obj"
 
 
 class Scene:
@@ -158,6 +160,12 @@ class Scene:
         return _again, (self.text, self.source, self._meshes.texts if self._meshes else {})
 
 
+def _own_meshes_in(directory: Path, files: Iterable[str]) -> _OwnMeshes | None:
+    """Those that were saved there, of these files of a scene."""
+    own = [name for name in files if re.fullmatch(_OWN_MESH, name) and (directory / name).is_file()]
+    return _OwnMeshes({name: (directory / name).read_text(encoding="ascii") for name in own}) if own else None
+
+
 SceneLike = Union[Scene, str, Path, Mapping[str, Any]]
 
 
@@ -184,7 +192,7 @@ class _OwnMeshes:
 
 def _parsed(document: Mapping[str, Any], name: str, folder: str | Path | None) -> _wander.Scene:
     text = json.dumps(document, indent=1, ensure_ascii=False)
-    return _wander.Scene.parse(text, str(Path(folder or ".", f"<{name}>")))
+    return _wander.Scene.parse(text, str(Path(folder or ".", f"<{name.replace('/', '-')}>")))
 
 
 class _Writer:

@@ -77,6 +77,8 @@ def trace(
     steps, every, chains = counted("steps", steps), counted("every", every), counted("chains", chains)
     read = load(scene)
     settings = setting_texts(dials)
+    if window is not None and len(window) != 2:
+        raise UsageError(f"window {window}: give the first step and the one after the last")
     first, end = (counted("window", at, 0) for at in (window if window is not None else (0, steps)))
     words: list[Any] = ["trace", read.source, "-m", method, "--chains", chains, "--window", f"{first}:{end}"]
     words += ["--every", every, "-s", seed]

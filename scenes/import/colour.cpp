@@ -97,11 +97,12 @@ Colour of_spectrum(const XmlElement& element, Light light, const ImportContext& 
     context.diagnosis.inexact(element, "a spectrum over wavelengths", "its colour");
     return colour_of(*spectrum, light);
   }
-  if (auto colour = one_or_three(text)) {
-    if (light == Light::emitted)
-      for (std::size_t i = 0; i < 3; ++i) (*colour)[i] *= equal_energy()[i];
-    return *colour;
+  if (const auto value = number_in(text); value && light == Light::emitted) {
+    Colour colour = equal_energy();
+    for (double& channel : colour) channel *= *value;
+    return colour;
   }
+  if (const auto colour = one_or_three(text)) return *colour;
   context.diagnosis.fault(
       element, fmt::format("\"{}\" is no spectrum; give one number, or wavelength:value pairs in "
                            "growing order",

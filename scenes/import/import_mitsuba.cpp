@@ -20,6 +20,13 @@ using nlohmann::ordered_json;
 constexpr int vertices_of_unlimited = 64;
 constexpr std::size_t longest_description = 4000;  // bytes
 
+bool is_referred_to(const XmlElement& object, const XmlElement& within) {
+  if (within.tag == "ref")
+    return object.has("id") && within.attribute("id") == object.attribute("id");
+  return std::ranges::any_of(
+      within.children, [&](const XmlElement& child) { return is_referred_to(object, child); });
+}
+
 class SceneImport {
  public:
   SceneImport(const ImportRequest& request, const XmlScene& scene, Diagnosis& diagnosis)
@@ -51,8 +58,8 @@ class SceneImport {
     if (child.tag == "shape") return shapes_.add(child);
     if (child.tag == "sensor") return read_sensor(child);
     if (child.tag == "integrator") return read_integrator(child);
-    if (child.tag == "emitter" && child.type() == "area" && child.has("id"))
-      return;  // a shape refers to it
+    if (child.tag == "emitter" && child.type() == "area" && is_referred_to(child, scene_.root))
+      return;  // it is the shape's
     if (child.tag == "emitter")
       return diagnosis_.inexact(child, fmt::format("the emitter \"{}\"", excerpt(child.type())),
                                 "nothing");

@@ -122,6 +122,31 @@ TEST(PoolingPlan, AsksMuchOfChains) {
   EXPECT_GE(otherwise, 1);
 }
 
+// Of an image, if the budget or the user does not say how many samples there are.
+TEST(PoolingPlan, LeavesToSamplesWhatItsPartitionDoes) {
+  const Session session = session_of(TimeBudget{10});
+  const wander::Run run(session);
+  ChainSettings given = usual;
+  given.seed_share = 0.5;
+  int left = 0, shared = 0;
+  for (const double ratio : {1.0, 4e2, 1e5})
+    for (int count = 5; count <= 1280; count *= 2) {
+      Pilot pilot{.samples = 10'000, .rays = 25'000};
+      for (int i = 0; i < 5000; ++i) pilot.found.add(1);
+      for (int i = 0; i < count; ++i) pilot.found.add(ratio);
+      const PoolingPlanner image(run, usual, {FilmKind::image, bins, 10});
+      const bool is_left = image.leaves_to_samples(pilot);
+      EXPECT_EQ(is_left, is_left_to_samples(image.by_chains(pilot).pooling, pilot.b())) << count;
+      (is_left ? left : shared) += 1;
+      EXPECT_FALSE(
+          PoolingPlanner(run, usual, {FilmKind::curve, bins, 10}).leaves_to_samples(pilot));
+      EXPECT_FALSE(
+          PoolingPlanner(run, given, {FilmKind::image, bins, 10}).leaves_to_samples(pilot));
+    }
+  EXPECT_GE(left, 1);
+  EXPECT_GE(shared, 1);
+}
+
 // So much of its light is hard, and chains that hardly move know of that what their seeds do.
 Pilot of_hard_light(int percent) {
   Pilot pilot{.samples = 10'000, .rays = 25'000, .steps_per_chain = 1000};

@@ -91,6 +91,19 @@ def test_a_worker_with_another_mesh_is_told(tmp_path, wander, work):
                 wl.compare(scene, ["bdpt", "pt"], ["1k"], replicates=2, client=client, progress=False)
 
 
+def test_meshes_of_arrays_are_sent_along(tmp_path):
+    cloth = wl.Mesh(points=[(-1, -1, 0), (1, -1, 0), (0, 1, 0)], faces=[(0, 1, 2)], material=wl.Diffuse(0.5))
+    lamp = wl.Parallelogram((-1, -1, 4), [(0, 2, 0), (2, 0, 0)], light=5)
+    scene = wl.Scene([cloth, lamp], camera=wl.Camera((0, 0, 3), (0, 0, 0), 60, (5, 4)))
+    for seed in (1, 2):
+        wl.render(scene, "bdpt", "2k", seed=seed).save(tmp_path / str(seed))
+    with cluster_of(1) as cluster, distributed.Client(cluster) as client:
+        spread = wl.render(scene, "bdpt", "4k", client=client, runs=2, progress=False)
+        found = wl.compare(scene, ["bdpt", "pt"], ["1k"], replicates=2, client=client, progress=False)
+    assert same(spread, wl.merge([tmp_path / "1", tmp_path / "2"]))
+    assert len(found.record["runs"]) == 4
+
+
 def test_faults_are_told_before_anything_is_sent():
     class Unreachable:
         def submit(self, *what, **how):
@@ -98,3 +111,5 @@ def test_faults_are_told_before_anything_is_sent():
 
     with pytest.raises(wl.UsageError):
         wl.render("gallery:slit", "mlt", BUDGET, client=Unreachable(), large_step=2)
+    with pytest.raises(wl.UsageError, match="2\\^64"):
+        wl.render("gallery:slit", "mlt", BUDGET, client=Unreachable(), seed=2**64 - 2, runs=3)

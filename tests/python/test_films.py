@@ -75,7 +75,7 @@ def test_differences_of_colours_are_those_of_each_channel():
     assert shown.shape == (10, 36)
     red, green, blue = np.hsplit(np.ma.filled(shown, np.nan), 3)
     assert np.isnan(green).all() and np.isfinite(red).all()
-    # 120 values of N(0, 1), for both channels are of one light: their mean square is within 0.5 of 1 but for 1e-4.
+    # 120 values of N(0, 1), for both channels are of one light: their mean square is within 0.5 of 1 but for 4e-4.
     assert abs(np.mean(np.hstack([red, blue]) ** 2) - 1) < 0.5
 
 

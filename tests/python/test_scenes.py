@@ -171,7 +171,7 @@ def test_runs_whose_files_have_moved_are_looked_at_and_go_on_where_they_are_name
         wl.merge(runs)
     assert wl.merge((run for run in runs), scene=scene).samples == 8000
     tent("another").save(scene)
-    with pytest.raises(wl.UsageError, match="is not that of the runs"):
+    with pytest.raises(wl.UsageError, match="is not that of the run"):
         wl.open_run(runs[0], scene=scene)
 
 

@@ -112,7 +112,7 @@ TEST_F(SceneFiles, ThatHaveMovedAreToBeNamed) {
   EXPECT_EQ(wander("render moved/scene.json --continue -o a -b 3k -q").exit_code, 0);
   write("moved/tri.obj", small);
   expect_refused("merge b --scene moved/scene.json -o one",
-                 {"--scene moved/scene.json is not that of the runs: their scene has other files"});
+                 {"scene moved/scene.json is not that of the run: its scene has other files"});
 }
 
 // What has no other place may lie beside the run, as the package of Python keeps meshes of arrays.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mlt/run/bridge.h"
+#include "mlt/run/normalization.h"
 #include "tests/mlt/run/bridge_sides.h"
 
 namespace wander::test {
@@ -83,6 +84,44 @@ TEST(UnmetLight, MakesTheBridgeLeanOnSamples) {
   ASSERT_TRUE(usual.failure.empty() && doubtful.failure.empty());
   EXPECT_LT(doubtful.balance, 0.1 * usual.balance);
   EXPECT_GT(jackknife_error(doubtful.without), jackknife_error(usual.without));
+}
+
+// Of findings with the sides of a bridge, a tenth of whose light is of a class that no chain met, or none.
+double error_of_bridge(const bridge_sides::Sides& sides, double light_unmet) {
+  struct Held {
+    SeedTally tally{4};
+    SeedEvidence evidence{1, 2};
+    GroupFilm film{2, 4};
+  };
+  std::deque<Held> held;
+  std::vector<GroupFindings> findings;
+  for (std::size_t g = 0; g < bridge_sides::groups; ++g) {
+    Held& group = held.emplace_back();
+    group.tally.samples = static_cast<std::uint64_t>(sides.samples_of_group);
+    for (const double l : sides.found[g].values) {
+      group.tally.total += l;
+      group.tally.total_squares += l * l;
+      group.evidence.film[0] += l;
+    }
+    group.evidence.ratios[0] = sides.found[g].ratios;
+    *entries_of(group.evidence.by_class, group.evidence.classes.index(easy)) += 1 - light_unmet;
+    *entries_of(group.evidence.by_class, group.evidence.classes.index(rare)) += light_unmet;
+    group.film.add(2, 0, 1);
+    findings.push_back({&group.tally,
+                        &group.tally,
+                        &group.evidence,
+                        &group.film,
+                        {},
+                        1,
+                        {{&sides.states[g].ratios, 1}},
+                        {{easy, 1}}});
+  }
+  return constants(findings).bridge.b.standard_error;
+}
+
+TEST(UnmetLight, IsInTheErrorOfTheConstant) {
+  const auto sides = bridge_sides::simulate({.sigma = 2, .samples = 20'000, .states = 320'000}, 1);
+  EXPECT_GT(error_of_bridge(sides, 0.1), 1.2 * error_of_bridge(sides, 0));
 }
 
 }  // namespace

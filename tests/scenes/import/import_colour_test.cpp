@@ -118,5 +118,21 @@ TEST_F(ImportedColours, ThatCannotBeAreRefused) {
               "there is no file none.png");
 }
 
+// By Mitsuba 3.9.1 in RGB a light of one value in a spectrum has 1.203, 0.947 and 0.907 times what it has as rgb.
+TEST_F(ImportedColours, OfLightsOfEqualEnergyAreAReddishWhite) {
+  const auto radiance = [&](const std::string& value) {
+    return exact(
+        scene_of("<shape type='sphere'><emitter type='area'><spectrum name='radiance' "
+                 "value='" +
+                 value + "'/></emitter></shape>"))["shapes"][0]["light"]["radiance"];
+  };
+  const Json white = radiance("2");
+  ASSERT_EQ(white.size(), 3u);
+  EXPECT_NEAR(white[0], 2 * 1.203, 0.005);
+  EXPECT_NEAR(white[1], 2 * 0.947, 0.005);
+  EXPECT_NEAR(white[2], 2 * 0.907, 0.005);
+  EXPECT_EQ(radiance("1,2,3"), Json({1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace wander::test
