@@ -141,6 +141,7 @@ class BoundComparison {
     taken_->keep_all();
     taken_.reset();
     options_.is_continuation = true;
+    options_.scene.clear();  // it is kept, and may be in no file
     Global global = request_.global();
     global.force = false;
     task_ = examined(options_, global);

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from . import _wander
-from .errors import Interrupted
+from .errors import Interrupted, UsageError
 from .progress import Bar, Progress
 from .scene import SceneLike, load
 from .words import Setting, command_line, counted, seeded, setting_texts
