@@ -1,6 +1,7 @@
 #include "lab/packing.h"
 
 #include <zstd.h>
+#include <zstd_errors.h>
 
 #include <array>
 #include <new>
@@ -35,6 +36,13 @@ class PieceBuffer : public std::streambuf {
   std::array<char, 1 << 16> bytes_;
 };
 
+// Of what a function of zstd returns; throws where it had no memory for its tables, which is no fault of what it read.
+bool is_fault(std::size_t result) {
+  if (!ZSTD_isError(result)) return false;
+  if (ZSTD_getErrorCode(result) == ZSTD_error_memory_allocation) throw std::bad_alloc();
+  return true;
+}
+
 }  // namespace
 
 void write_through(const ByteSink& sink, const std::function<void(std::ostream&)>& write) {
@@ -56,7 +64,7 @@ struct Packing::Stream {
     do {
       ZSTD_outBuffer out{packed.data(), packed.size(), 0};
       left = ZSTD_compressStream2(context.get(), &out, &in, directive);
-      if (ZSTD_isError(left)) throw std::runtime_error("the state of the run cannot be compressed");
+      if (is_fault(left)) throw std::runtime_error("the state of the run cannot be compressed");
       file({packed.data(), out.pos});
     } while (directive == ZSTD_e_end ? left > 0 : in.pos < in.size);
   }
@@ -78,7 +86,7 @@ std::optional<std::string> unpacked(std::string_view frame, std::uint64_t size) 
   if (size / best_compression > frame.size()) return std::nullopt;
   std::string bytes(size, '\0');
   const std::size_t found = ZSTD_decompress(bytes.data(), bytes.size(), frame.data(), frame.size());
-  return !ZSTD_isError(found) && found == size ? std::optional(std::move(bytes)) : std::nullopt;
+  return !is_fault(found) && found == size ? std::optional(std::move(bytes)) : std::nullopt;
 }
 
 }  // namespace wander

@@ -34,7 +34,7 @@ class Packing {
   std::unique_ptr<Stream> stream_;
 };
 
-// What became this frame, if it has this size; none if it has not, or if this is no frame.
+// What became this frame, if it has this size; none if it has not, or if this is no frame.  Throws std::bad_alloc.
 std::optional<std::string> unpacked(std::string_view frame, std::uint64_t size);
 
 }  // namespace wander

@@ -1,5 +1,11 @@
 // What a run says that it needs is held against what the program takes; and a run that would not
 // fit says so.  Of large films memory_need_long_test.cpp has more.
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+
+#include "lab/packing.h"
 #include "tests/lab/memory_of_runs.h"
 
 namespace wander::test {
@@ -63,6 +69,32 @@ TEST_F(MemoryOfRuns, ThatTheStateOfARunHasNotIsSaid) {
     ++refused;
   }
   EXPECT_GT(refused, 0);
+}
+
+// In a process in which there is no block of 16 kB left: what unpacks asks for more by itself.
+[[noreturn]] void unpack_without_memory(std::string_view frame, std::uint64_t size) {
+  const rlimit none{1, 1};
+  setrlimit(RLIMIT_AS, &none);
+  static std::atomic<void*> block;  // that the compiler leaves them all in
+  do {
+    block = std::malloc(1 << 14);
+  } while (block);
+  int code = 0;
+  try {
+    code = unpacked(frame, size) ? 3 : 4;
+  } catch (const std::bad_alloc&) {
+    code = 5;
+  }
+  std::_Exit(code);
+}
+TEST(MemoryOfStates, IsAskedForWhereTheyAreUnpacked) {
+  std::string frame;
+  const ByteSink sink = [&frame](std::string_view part) { frame += part; };
+  Packing packing(sink);
+  packing.add("a state");
+  packing.end();
+  ASSERT_EQ(unpacked(frame, 7), "a state");
+  EXPECT_EXIT(unpack_without_memory(frame, 7), ::testing::ExitedWithCode(5), "");
 }
 
 TEST_F(MemoryOfRuns, LetsNoMoreThreadsStartThanThereIsRoomFor) {
