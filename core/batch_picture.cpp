@@ -54,7 +54,7 @@ FilmEstimate BatchPicture::estimate(std::vector<int> shape, double scale) const 
   const auto count = static_cast<double>(samples_), batches = static_cast<double>(batches_);
   FilmEstimate film;
   film.shape = std::move(shape);
-  film.degrees_of_freedom = batches - 1;
+  film.degrees_of_freedom = film.degrees_of_error = batches - 1;
   for (std::size_t i = 0; i < mean_.size(); ++i) {
     const double variance = batches_ > 1 ? spread_[i] / (count * (batches - 1)) : not_known;
     film.value.push_back(scale * mean_[i]);

@@ -197,7 +197,7 @@ FilmEstimate estimate_of_samples(std::span<const int> shape, std::uint64_t sampl
   const std::size_t count = make_room(film);
   const double n = static_cast<double>(samples),
                pixels = static_cast<double>(count) / channels_of(shape);
-  film.degrees_of_freedom = std::max(0.0, n - 1);
+  film.degrees_of_freedom = film.degrees_of_error = std::max(0.0, n - 1);
   for (std::size_t i = 0; i < count; ++i) {
     const BinSums of_bin = sums(i);
     const double sum = of_bin.sum,

@@ -23,6 +23,7 @@ struct FilmEstimate {
   std::vector<double> standard_error{};  // per bin; NaN when it cannot be told
   std::vector<bool> reliable{};   // per bin: its interval holds what it promises (reliability.h)
   double degrees_of_freedom = 0;  // of the t-intervals around every bin
+  double degrees_of_error = 0;    // of the error of all bins together, where few may decide it
   std::map<int, std::vector<double>>
       by_length{};  // number of vertices -> film of those paths alone
 };

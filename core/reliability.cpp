@@ -8,7 +8,6 @@ namespace wander {
 
 namespace {
 
-constexpr double fewest_claimed = fewest_effective_samples / 2;
 constexpr double fewest_around = 3 * fewest_effective_samples / 4;
 constexpr double fewest_own = 3 * fewest_effective_samples / 5, fewest_alone = 2 * fewest_around;
 constexpr double most_own_to_around = 3;
@@ -71,7 +70,7 @@ std::vector<bool> reliability(const FilmEstimate& film, const EventWeight& weigh
     const double value = film.value[bin];
     const auto [w, v] = around(film, weight, grid, bin);
     const bool is_known_around = v >= fewest_around * w && value >= fewest_own * w;
-    reliable[bin] = value >= fewest_claimed * *own &&
+    reliable[bin] = value >= fewest_claimed_events * *own &&
                     (is_known_around || value >= fewest_alone * w) &&
                     (w <= most_own_to_around * *own || value >= enough_around * w);
   }

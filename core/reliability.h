@@ -24,6 +24,8 @@ namespace wander {
 
 // Of a sum that nothing around it is asked of, such as b, at least this many: then no few samples dominate it.
 inline constexpr double fewest_effective_samples = 100;
+// Of a bin by its own claim; with fewer none is reliable, whatever is around it.
+inline constexpr double fewest_claimed_events = fewest_effective_samples / 2;
 
 // Around a bin of a curve lie four bins to each side; around a pixel the eight next to it, of its own
 // channel.  So a neighbourhood has as many bins in curves and in images.

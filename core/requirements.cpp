@@ -1,6 +1,7 @@
 #include "core/requirements.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <variant>
 
@@ -57,6 +58,19 @@ struct IsGlossy {
   bool operator()(const RoughMetal& m) const { return !reflects_nothing(m); }
   bool operator()(const auto&) const { return false; }
 };
+
+// 1 of what has no lobe.
+double lobe_of(const MaterialKind& kind, int dimension) {
+  if (is_specular_kind(kind)) return 0;
+  return std::visit(
+      [&](const auto& m) {
+        if constexpr (requires { m.roughness; })
+          return IsGlossy{}(m) ? std::pow(m.roughness, dimension - 1) : 1.0;
+        else
+          return 1.0;
+      },
+      kind);
+}
 
 template <class Property>
 bool any_material(const std::vector<MaterialKind>& materials, Property property) {
@@ -152,6 +166,9 @@ Requirements requires_of(const description::Scene& scene) {
   requirements.materials.assign(material_types.begin(), material_types.end());
   requirements.shapes.assign(shape_types.begin(), shape_types.end());
   requirements.specular = std::any_of(materials.begin(), materials.end(), is_specular_kind);
+  for (const MaterialKind& kind : materials)
+    requirements.narrowest_lobe =
+        std::min(requirements.narrowest_lobe, lobe_of(kind, scene.dimension));
   requirements.caustic_paths_possible = caustics_can_form(scene, materials);
   requirements.scatters = any_material(materials, Scatters{});
   requirements.glossy = any_material(materials, IsGlossy{});

@@ -14,6 +14,8 @@ struct Requirements {
   int colour_channels = 1;  // 3 when some number that describes light is coloured
   std::vector<std::string> materials, shapes;  // types present on shapes, each once, sorted
   bool specular = false;                       // some surface reflects or refracts as a mirror does
+  double narrowest_lobe =
+      1;  // about that direction, a share of all: α^(D-1); 0 where one is specular
   bool caustic_paths_possible = false;  // light, then specular, then a surface it can fall on
   bool scatters = false;                // some surface reflects or refracts into many directions
   bool glossy = false;                  // of these, some are rough mirrors or rough glass

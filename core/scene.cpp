@@ -122,8 +122,20 @@ int Scene<W>::bin(typename W::Square film) const {
 }
 
 template <World W>
-bool Scene<W>::has_specular() const {
-  return std::ranges::any_of(surfaces_, &Surface<W>::is_specular);
+double Scene<W>::narrowest_lobe() const {
+  double narrowest = 1;
+  for (const Surface<W>& surface : surfaces_) {
+    const double lobe = std::visit(
+        [](const auto& m) {
+          if constexpr (requires { m.roughness; })
+            return std::pow(static_cast<double>(m.roughness), W::dimension - 1);
+          else
+            return m.specular ? 0.0 : 1.0;
+        },
+        *surface.material);
+    narrowest = std::min(narrowest, lobe);
+  }
+  return narrowest;
 }
 
 template <World W>

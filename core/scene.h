@@ -88,7 +88,9 @@ class Scene {
   std::span<const ShapeId> lights() const { return lights_; }        // ascending
   const LightChoice& light_choice() const { return light_choice_; }  // by index in lights()
 
-  bool has_specular() const;
+  // Of its materials, about the direction of a mirror's reflection or of smooth glass, as a share of all directions: α^(D-1).
+  // 0 where one is specular, 1 where none scatters so.
+  double narrowest_lobe() const;
 
   // Exactly one of the two: a sensor is a surface or a camera.
   ShapeId sensor() const { return sensor_; }

@@ -30,7 +30,7 @@ SeedTally tally_of(std::span<const GroupFindings> groups) {
 }  // namespace
 
 ChainFindings::ChainFindings(std::string method, std::vector<int> shape, MutationStatistics none,
-                             MetByChance must_meet)
+                             const FoundByChance& must_meet)
     : method_(std::move(method)),
       shape_(std::move(shape)),
       statistics_(std::move(none)),
@@ -203,7 +203,7 @@ void ChainFindings::normalize(Rendering& r) const {
   }
   if (b[method].effective_samples < fewest_effective_samples)
     r.film.reliable.assign(r.film.reliable.size(), false);
-  doubt_what_was_not_met(r, must_meet_, tally_of(groups).ends_met);
+  doubt_what_was_not_met(r, must_meet_, tally_of(groups).ends_met, tally_of(groups).samples);
   if (std::string few = dominated_film(r.film, r.groups); !few.empty())
     r.warnings.push_back(std::move(few));
   if (method == NormalizationMethod::seed_pass && method != wanted)

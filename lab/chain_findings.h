@@ -31,7 +31,7 @@ class ChainFindings final : public Findings {
   // `none`: statistics of no steps, of the mutations that the chains have.  `must_meet`: what the samples of the method have to,
   // and its chains hardly do better.
   ChainFindings(std::string method, std::vector<int> shape, MutationStatistics none,
-                MetByChance must_meet);
+                const FoundByChance& must_meet);
 
   // The groups of one more run, in their order.
   template <class Groups>
@@ -86,7 +86,7 @@ class ChainFindings final : public Findings {
   std::string method_;
   std::vector<int> shape_;
   MutationStatistics statistics_;
-  MetByChance must_meet_;
+  FoundByChance must_meet_;
   std::vector<Part> parts_;
   std::vector<GroupFindings> groups_;  // of all parts, in their order
   std::deque<KeptFindings> kept_;      // what the first of them refer to

@@ -261,7 +261,7 @@ class ChainRun final : public LiveRun {
             space_.max_vertices()};
   }
 
-  MetByChance must_meet() const { return met_by_chance(space_.scene(), MetByChance::either); }
+  FoundByChance must_meet() const { return found_by_chance(space_.scene(), MetByChance::either); }
 
   // From then on, when next they are asked for, there are so many.
   void renew_groups(int groups, int chains_of_each) {

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/12";
+constexpr std::string_view family = "wanderlight-checkpoint/", format = "wanderlight-checkpoint/13";
 
 class Refusal {
  public:

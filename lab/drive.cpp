@@ -222,7 +222,7 @@ class Drive {
     if (!std::isfinite(error) || !run_.lacks_samples(share_of_error * target)) return {};
     std::vector<Look>& looks = headway_.looks;
     if (looks.empty() || looks.back().samples < run_.samples())
-      looks.push_back({run_.samples(), error, film.degrees_of_freedom});
+      looks.push_back({run_.samples(), error, film.degrees_of_error});
     return error_that_stays(looks, target);
   }
 

@@ -40,7 +40,7 @@ std::unique_ptr<LiveRun> make_estimate(const Scene<W>& scene, const Estimator& e
       });
     };
   };
-  return make_sample_run({estimator.name, met_by_chance(scene, estimator.must_meet)},
+  return make_sample_run({estimator.name, found_by_chance(scene, estimator.must_meet)},
                          scene.film_shape(), scene.max_vertices(), layout, execution, make);
 }
 

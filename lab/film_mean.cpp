@@ -35,6 +35,7 @@ FilmEstimate mean_film(std::span<const WeightedFilm> films) {
     mean.degrees_of_freedom = variance * variance / spread;
   else
     for (const auto& each : films) mean.degrees_of_freedom += each.film.degrees_of_freedom;
+  mean.degrees_of_error = mean.degrees_of_freedom;
   return mean;
 }
 

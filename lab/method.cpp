@@ -10,6 +10,7 @@
 #include "lab/estimate.h"
 #include "lab/failure.h"
 #include "lab/nearest.h"
+#include "lab/sample_doubts.h"
 
 namespace wander {
 
@@ -32,8 +33,14 @@ std::string_view through_a_camera(const description::Scene& scene) {
 }
 // The camera is reached by connections alone, which mirrors and smooth glass forbid.
 std::string_view mirrors_seen_by_a_camera(const description::Scene& scene) {
-  if (!scene.camera || !requires_of(scene).specular || scene.max_vertices < 3) return {};
-  return "cannot find paths that reach the camera from a mirror or from smooth glass";
+  if (!scene.camera || scene.max_vertices < 3) return {};
+  const Requirements needs = requires_of(scene);
+  if (needs.specular)
+    return "cannot find paths that reach the camera from a mirror or from smooth glass";
+  if (needs.narrowest_lobe <= lobe_of_hardly_any)
+    return "hardly ever finds paths that reach the camera from a surface that is nearly a mirror "
+           "or smooth glass";
+  return {};
 }
 
 constexpr std::array method_table{

@@ -13,20 +13,27 @@ namespace wander {
 
 namespace {
 
-constexpr double fewest_meetings = 5;  // in effective samples
+constexpr double fewest_meetings = 5;       // in effective samples
+constexpr double fewest_connections = 100;  // by a lobe, were all samples to connect to it
 
 struct Words {
   const char *where, *remedy;
 };
 Words words_of(MetByChance end) {
   if (end == MetByChance::lights)
-    return {"only where it meets a lamp by chance",
+    return {"only where it meets a lamp by chance, and it hardly met one",
             "a larger budget; or bdpt, if that light is scattered on its way to the sensor"};
   if (end == MetByChance::sensors)
-    return {"only where it meets a sensor by chance",
+    return {"only where it meets a sensor by chance, and it hardly met one",
             "a larger budget; or bdpt, if that light is scattered on its way from the lamp"};
-  return {"next to lamp and sensor only where it meets one of them by chance",
-          "a larger budget, or larger lamps or sensors"};
+  if (end == MetByChance::camera)
+    return {
+        "only where a connection to the camera falls into so narrow a lobe, "
+        "as hardly one does",
+        "pt or bdpt"};
+  return {
+      "next to lamp and sensor only where it meets one of them by chance, and it hardly met one",
+      "a larger budget, or larger lamps or sensors"};
 }
 
 }  // namespace
@@ -59,21 +66,27 @@ std::string rare_techniques(const TechniqueTally& techniques, const FilmEstimate
       bins.doubtful, bins.seen, rare.names, rare.share);
 }
 
-void doubt_what_was_not_met(Rendering& rendering, MetByChance end, const BinSums& met) {
-  if (end == MetByChance::nowhere || met.effective_samples() >= fewest_meetings) return;
+void doubt_what_was_not_met(Rendering& rendering, const FoundByChance& what, const BinSums& met,
+                            std::uint64_t samples) {
+  if (what.end == MetByChance::nowhere || met.effective_samples() >= fewest_meetings) return;
+  if (what.lobe * static_cast<double>(samples) >= fewest_connections) return;
   rendering.film.reliable.assign(rendering.film.reliable.size(), false);
+  const Words words = words_of(what.end);
   rendering.warnings.push_back(fmt::format(
-      "{} finds light that comes by mirrors or smooth glass {}, and it hardly met one: what it may "
-      "have missed is in no error bar; {}",
-      rendering.method, words_of(end).where, words_of(end).remedy));
+      "{} finds light that comes by {} {}: what it may have missed is in no error bar; {}",
+      rendering.method,
+      what.lobe > 0 ? "surfaces that are nearly smooth" : "mirrors or smooth glass", words.where,
+      words.remedy));
 }
 
-void add_doubts(Rendering& rendering, const TechniqueTally& techniques, MetByChance end) {
+void add_doubts(Rendering& rendering, const TechniqueTally& techniques, const FoundByChance& what) {
   BinSums met;
-  if (end != MetByChance::sensors) met.merge(techniques.lights_met());
-  if (end != MetByChance::lights) met.merge(techniques.sensors_met());
+  if (what.end == MetByChance::lights || what.end == MetByChance::either)
+    met.merge(techniques.lights_met());
+  if (what.end == MetByChance::sensors || what.end == MetByChance::either)
+    met.merge(techniques.sensors_met());
   const std::size_t before = rendering.warnings.size();
-  doubt_what_was_not_met(rendering, end, met);
+  doubt_what_was_not_met(rendering, what, met, rendering.samples);
   if (rendering.warnings.size() > before) return;
   std::string rare = rare_techniques(techniques, rendering.film, rendering.samples);
   if (!rare.empty()) rendering.warnings.push_back(std::move(rare));

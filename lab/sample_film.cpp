@@ -27,7 +27,7 @@ constexpr std::uint64_t samples_per_unit(std::uint64_t bins) {
 template <class Film>
 Rendering rendering_of(const SamplingMethod& method, const Film& film, std::span<const int> shape) {
   Rendering found{.method = method.name, .samples = film.samples(), .film = film.estimate(shape)};
-  add_doubts(found, film.techniques(), method.must_meet);
+  add_doubts(found, film.techniques(), method.by_chance);
   return found;
 }
 

@@ -19,11 +19,11 @@ using FilmSampler = std::function<void(Rng& rng, Contributions& found)>;
 
 // Who samples, and what it must meet by chance to see all light.
 struct SamplingMethod {
-  SamplingMethod(const char* name, MetByChance must_meet = MetByChance::nowhere)
-      : name(name), must_meet(must_meet) {}
+  SamplingMethod(const char* name, FoundByChance by_chance = {})
+      : name(name), by_chance(by_chance) {}
 
   const char* name;
-  MetByChance must_meet;
+  FoundByChance by_chance;
 };
 
 // Every unit that works at the same time has a sampler of its own, made by `make`.

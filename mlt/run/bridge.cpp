@@ -83,17 +83,21 @@ std::optional<double> refined(std::span<const Cell> cells, double balance, doubl
   return solve(cells, balance, start);
 }
 
-// How many independent events would tell E_B[Σ h] as well as the groups do.
-double effective_samples(const Cells& cells, double balance, double beta) {
+// How many independent events would tell what samples bring to b as well as the groups do: E_B[Σ h] of the cells, of whose
+// light that is a measure, and what they found elsewhere.
+double effective_samples(const Cells& cells, double balance, double beta, double elsewhere) {
   const auto h = [&](double l) { return l / (balance * l + std::exp(beta)); };
   double mean = 0, spread = 0;
   for (const Cell& c : cells.all()) mean += c.found * h(c.found_ratio);
+  const double light = std::exp(beta) / mean;  // of a unit of E_B[Σ h]
   for (std::size_t g = 0; g < cells.groups(); ++g) {
     const double paths = cells.sums_of(g, h, [](double) { return 0.0; }).paths;
-    const double d = (paths - cells.samples_of(g) * mean) / cells.samples();
+    const double found = light * paths + (elsewhere > 0 ? cells.unmet_light_of(g) : 0);
+    const double d = (found - cells.samples_of(g) * (light * mean + elsewhere)) / cells.samples();
     spread += d * d;
   }
-  return spread > 0 ? std::min(mean * mean / spread, cells.samples()) : cells.samples();
+  const double b = light * mean + elsewhere;
+  return spread > 0 ? std::min(b * b / spread, cells.samples()) : cells.samples();
 }
 
 // What m, a function of l, would vary by because of light that samples know and chains have not come to.  Where chains
@@ -158,7 +162,7 @@ double best_balance(const Cells& cells, double balance, double beta, double unme
   const double b = std::exp(beta);
   const auto h = [&](double l) { return l / (balance * l + b); };
   const auto m = [&](double l) { return 1 / (balance * l + b); };
-  const double of_samples = 1 / effective_samples(cells, balance, beta);
+  const double of_samples = 1 / effective_samples(cells, balance, beta, 0);
   const double ratio = size_of_states(cells, b, of_samples, unmet, m) / size_of_samples(cells, h);
   return std::isfinite(ratio) && ratio > 0 ? ratio : balance;
 }
@@ -167,10 +171,12 @@ double best_balance(const Cells& cells, double balance, double beta, double unme
 double b_without(const Cells& cells, std::size_t group, double balance, double beta) {
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   if (!cells.has_samples_without(group)) return unknown;
-  if (!cells.has_found_without(group)) return 0;
+  if (!cells.has_found_without(group))
+    return cells.direct() * cells.light_of_samples_without(group);
   if (!cells.has_states_without(group)) return cells.direct_without(group);
   const std::optional<double> part = refined(cells.without(group), balance, beta);
-  return part ? cells.direct() * std::exp(*part) : unknown;
+  return part ? cells.direct() * (std::exp(*part) + cells.light_of_samples_without(group))
+              : unknown;
 }
 
 }  // namespace
@@ -192,8 +198,8 @@ BridgeFit bridge(std::span<const BridgeGroup> groups, double unmet) {
     fit.failure = "the logistic fit did not converge";
     return fit;
   }
-  fit.b = cells.direct() * std::exp(*beta);
-  fit.effective_samples = effective_samples(cells, fit.balance, *beta);
+  fit.b = cells.direct() * (std::exp(*beta) + cells.light_of_samples());
+  fit.effective_samples = effective_samples(cells, fit.balance, *beta, cells.light_of_samples());
   fit.without.resize(groups.size());
   in_parallel(groups.size(),
               [&](std::size_t g) { fit.without[g] = b_without(cells, g, fit.balance, *beta); });

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mlt/run/bridge.h"
+#include "mlt/run/unmet_light.h"
 
 namespace wander {
 
@@ -18,35 +19,44 @@ struct Cell {
   double found, states;
 };
 
-// The cells of all groups together, and what each group adds to them.
+// The cells of all groups together, and what each group adds to them.  Octaves of l that chains have not met (unmet_light.h) are not
+// among them: their light is what samples say, and states that one group has there count as none.
 class Cells {
  public:
   explicit Cells(std::span<const BridgeGroup> groups) : groups_(groups) {
     RatioHistogram found, states;
     for (const BridgeGroup& g : groups) {
       samples_ += g.samples;
-      found_count_ += g.found->count();
-      state_count_ += g.states->count();
       found.add(*g.found, 1);
       states.add(*g.states, g.state_weight);
-      state_mass_.push_back(g.state_weight * g.states->count());
-      all_states_ += state_mass_.back();
+      state_count_ += g.states->count();
+      all_states_ += g.state_weight * g.states->count();
     }
     double total = 0;
     for (int i = found.first(); i < found.end(); ++i) total += found[i].sum;
     direct_ = total / samples_;
     const int low = std::min(found.first(), states.first());
-    for (int i = low; i < std::max(found.end(), states.end()); ++i) {
+    for (int i = low; i < std::max(found.end(), states.end()); ++i)
+      if (found[i].count + states[i].count > 0) bins_.push_back(i);
+    leave_unmet_to_samples(found);
+    count_states();
+    for (const int i : bins_) {
       const RatioHistogram::Bin f = found[i], s = states[i];
-      if (f.count + s.count == 0) continue;
+      found_count_ += f.count;
       cells_.push_back({f.count > 0 ? f.sum / f.count / direct_ : 1,
                         s.count > 0 ? s.sum / s.count / direct_ : 1, f.count / samples_,
                         s.count / all_states_});
-      bins_.push_back(i);
     }
   }
 
   double direct() const { return direct_; }
+  // Of the octaves that are not among the cells, in units of the direct estimate.
+  double light_of_samples() const { return light_of_samples_; }
+  double light_of_samples_without(std::size_t group) const {
+    const BridgeGroup& g = groups_[group];
+    return std::max(0.0, light_of_samples_ * samples_ - light_in(g, unmet_) / direct_) /
+           (samples_ - g.samples);
+  }
   double samples() const { return samples_; }
   bool has_states() const { return all_states_ > 0; }
   // Until the groups tell: few states know no more than as many samples.
@@ -56,10 +66,10 @@ class Cells {
   // What is left of a side without a group, but for rounding.
   bool has_samples_without(std::size_t group) const { return samples_ > groups_[group].samples; }
   bool has_found_without(std::size_t group) const {
-    return found_count_ > (1 + rounding) * groups_[group].found->count();
+    return found_count_ > (1 + rounding) * paths_in(groups_[group], bins_);
   }
   bool has_states_without(std::size_t group) const {
-    return state_count_ > (1 + rounding) * groups_[group].states->count();
+    return all_states_ > (1 + rounding) * state_mass_[group];
   }
   // The direct estimate, of samples alone.
   double direct_without(std::size_t group) const {
@@ -68,7 +78,7 @@ class Cells {
     for (std::size_t k = 0; k < cells_.size(); ++k)
       total += std::max(0.0, cells_[k].found * samples_ * cells_[k].found_ratio * direct_ -
                                  (*g.found)[bins_[k]].sum);
-    return total / (samples_ - g.samples);
+    return total / (samples_ - g.samples) + direct_ * light_of_samples_without(group);
   }
   // Where something is left of both sides.
   std::vector<Cell> without(std::size_t group) const {
@@ -85,6 +95,10 @@ class Cells {
     return cells;
   }
 
+  // What a group's samples found in the octaves that are not among the cells, in units of the direct estimate.
+  double unmet_light_of(std::size_t group) const {
+    return light_in(groups_[group], unmet_) / direct_;
+  }
   // Σ over cells of a group: found paths weighted by h, states by m.
   struct Sums {
     double paths = 0, states = 0, mass = 0;
@@ -120,10 +134,7 @@ class Cells {
   std::vector<Octave> octaves(double b, M&& m) const {
     std::vector<Octave> octaves;
     for (std::size_t begin = 0, end = 0; begin < bins_.size(); begin = end) {
-      const auto octave_of = [&](std::size_t k) {
-        return bins_[k] >> RatioHistogram::bits_per_octave;
-      };
-      while (end < bins_.size() && octave_of(end) == octave_of(begin)) ++end;
+      end = end_of_octave(begin);
       Octave octave;
       for (std::size_t k = begin; k < end; ++k) {
         const double light = cells_[k].found * cells_[k].found_ratio;
@@ -143,6 +154,54 @@ class Cells {
  private:
   static constexpr double rounding = 1e-9;
 
+  static double light_in(const BridgeGroup& g, std::span<const int> bins) {
+    double light = 0;
+    for (const int bin : bins) light += (*g.found)[bin].sum;
+    return light;
+  }
+  static double paths_in(const BridgeGroup& g, std::span<const int> bins) {
+    double paths = 0;
+    for (const int bin : bins) paths += (*g.found)[bin].count;
+    return paths;
+  }
+  // One past the last bin of the octave that begins at `begin`.
+  std::size_t end_of_octave(std::size_t begin) const {
+    const auto octave_of = [&](std::size_t k) {
+      return bins_[k] >> RatioHistogram::bits_per_octave;
+    };
+    std::size_t end = begin;
+    while (end < bins_.size() && octave_of(end) == octave_of(begin)) ++end;
+    return end;
+  }
+  void leave_unmet_to_samples(const RatioHistogram& found) {
+    const double states_of_each = state_count_ / static_cast<double>(groups());
+    std::vector<int> met;
+    for (std::size_t begin = 0, end = 0; begin < bins_.size(); begin = end) {
+      end = end_of_octave(begin);
+      const std::span<const int> octave = std::span(bins_).subspan(begin, end - begin);
+      double light = 0;
+      for (const int bin : octave) light += found[bin].sum / samples_ / direct_;
+      const auto has_states = [&](const BridgeGroup& g) {
+        return std::ranges::any_of(octave, [&](int bin) { return (*g.states)[bin].count > 0; });
+      };
+      const auto groups_there = static_cast<int>(std::ranges::count_if(groups_, has_states));
+      const bool unmet = is_unmet(groups_there, light * states_of_each);
+      (unmet ? unmet_ : met).insert((unmet ? unmet_ : met).end(), octave.begin(), octave.end());
+      if (unmet) light_of_samples_ += light;
+    }
+    bins_ = std::move(met);
+  }
+  void count_states() {
+    all_states_ = state_count_ = 0;
+    for (const BridgeGroup& g : groups_) {
+      double states = 0;
+      for (const int bin : bins_) states += (*g.states)[bin].count;
+      state_count_ += states;
+      state_mass_.push_back(g.state_weight * states);
+      all_states_ += state_mass_.back();
+    }
+  }
+
   double error_of(const Octave& octave, std::size_t begin, std::size_t end, double b) const {
     double squares = 0;
     for (std::size_t g = 0; g < groups_.size(); ++g) {
@@ -160,8 +219,9 @@ class Cells {
   std::span<const BridgeGroup> groups_;
   double samples_ = 0, all_states_ = 0, direct_ = 0, found_count_ = 0, state_count_ = 0;
   std::vector<double> state_mass_;
+  double light_of_samples_ = 0;
   std::vector<Cell> cells_;
-  std::vector<int> bins_;
+  std::vector<int> bins_, unmet_;
 };
 
 }  // namespace wander

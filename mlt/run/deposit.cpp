@@ -53,7 +53,7 @@ void GroupsFilm::add_dark_group() {
 
 FilmEstimate GroupsFilm::estimate() const {
   FilmEstimate film{.shape = resolution_, .value = mean_};
-  film.degrees_of_freedom = std::max(0, groups_ - 1);
+  film.degrees_of_freedom = film.degrees_of_error = std::max(0, groups_ - 1);
   const double pairs = static_cast<double>(groups_) * (groups_ - 1);
   for (std::size_t i = 0; i < mean_.size(); ++i) {
     const double variance = squares_[i] / pairs;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "mlt/run/film_degrees.h"
 #include "mlt/run/reliability.h"
 #include "statistics/jackknife.h"
 
@@ -74,7 +75,7 @@ FilmEstimate mean_film(const SharedLight& run, std::vector<int> shape) {
   const LightOfRuns parts(runs);
   const double pixels = pixels_in(parts, shape), count = static_cast<double>(parts.count());
   FilmEstimate film{.shape = std::move(shape)};
-  film.degrees_of_freedom = count - 1;
+  film.degrees_of_freedom = film.degrees_of_error = count - 1;
   make_room(film);
   std::vector<double> light;
   for (std::size_t j = 0; j < parts.bins(); ++j) {
@@ -129,8 +130,8 @@ FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& 
   const Jackknife jackknife(parts.count(), weights);
   FilmEstimate film{.shape = std::move(shape)};
   make_room(film);
-  std::vector<double> deviations(parts.count());  // squared, of all bins together
-  std::vector<double> values(parts.count());      // b times the share of the bin without each film
+  FilmDegrees degrees(parts.count());
+  std::vector<double> values(parts.count());  // b times the share of the bin without each film
   for (std::size_t j = 0; j < parts.bins(); ++j) {
     parts.at(j, light);
     const double total = sum_of(light), share = total / mass;
@@ -138,15 +139,16 @@ FilmEstimate normalized_film(std::span<const SharedLight> runs, const Constant& 
       const double rest = mass - masses[f];
       values[f] =
           rest > 1e-12 * mass ? without[f] * std::max(0.0, total - light[f]) / rest : not_known;
-      const double deviation = values[f] / b - share;
-      deviations[f] += deviation * deviation;
     }
     const double value = b * pixels * share, error = pixels * jackknife.error(values);
+    const double weight_of_bin = degrees.add(value, error * error);
+    for (std::size_t f = 0; f < values.size(); ++f)
+      degrees.move_bin(f, pixels * values[f] - value, weight_of_bin);
     film.value.push_back(value);
     film.standard_error.push_back(error);
   }
+  degrees.tell(film);
   film.reliable = reliability_of_groups(film, lit);
-  film.degrees_of_freedom = jackknife_degrees(deviations);
   film.by_length = by_length(runs, b * pixels * static_cast<double>(parts.count()) / mass);
   return film;
 }

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mlt/run/film_degrees.h"
 #include "mlt/run/reliability.h"
 #include "mlt/run/run_shares.h"
 #include "statistics/jackknife.h"
@@ -243,12 +244,12 @@ PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupF
   make_room(film);
   std::vector<double> part_of_samples;
   part_of_samples.reserve(pool.bins());
-  std::vector<double> deviations(pool.films());  // squared, of all bins together
-  double of_samples = 0, of_chains = 0;          // variance of all bins
-  std::vector<double> of_films;
+  FilmDegrees degrees(pool.films());
+  std::vector<double> of_films, weights;  // by bin of a tile
   for (std::size_t begin = 0; begin < pool.bins(); begin += bins_of_tile) {
     const LargePool::Tile tile = pool.at(begin, std::min(bins_of_tile, pool.bins() - begin));
     of_films.resize(tile.size());
+    weights.clear();
     jackknife.errors(tile.without, of_films);
     for (std::size_t i = 0; i < tile.size(); ++i) {
       const double variance = tile.variance_of_samples[i];
@@ -256,19 +257,20 @@ PooledFilm pooled_film(std::span<const SharedLight> runs, std::span<const GroupF
       film.value.push_back(pixels * tile.value[i]);
       part_of_samples.push_back(pixels * tile.of_samples[i]);
       film.standard_error.push_back(pixels * error);
-      of_samples += variance;
-      of_chains += of_films[i] * of_films[i];
+      weights.push_back(degrees.add(tile.value[i], of_films[i] * of_films[i], variance));
     }
-    for (std::size_t f = 0; f < deviations.size(); ++f)
+    for (std::size_t f = 0; f < pool.films(); ++f) {
+      double squares = 0, weighted = 0;
       for (std::size_t i = 0; i < tile.size(); ++i) {
         const double deviation = tile.without[f * tile.size() + i] - tile.value[i];
-        deviations[f] += deviation * deviation;
+        squares += deviation * deviation;
+        weighted += weights[i] * deviation * deviation;
       }
+      degrees.move(f, squares, weighted);
+    }
   }
+  degrees.tell(film);
   film.reliable = reliability_of_groups(film, pool.lit());
-  // The samples' part has as many as it has samples [Satterthwaite 1946].
-  const double ratio = of_chains > 0 ? 1 + of_samples / of_chains : 1;
-  film.degrees_of_freedom = std::min(jackknife_degrees(deviations) * ratio * ratio, 1e6);
   film.by_length = pool.by_length(film.shape);
   return {std::move(film), pool.light_of_samples(), std::move(part_of_samples)};
 }

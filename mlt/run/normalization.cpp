@@ -64,6 +64,7 @@ Constant from_least_squares(std::span<const GroupFindings> groups) {
 Constant from_bridge(std::span<const GroupFindings> groups) {
   Constant constant{.b = {0, 0}, .without = std::vector<double>(groups.size())};
   const double unmet = unmet_light(groups);
+  double relative = 0;  // Σ b_k² / n_k: of strata that are known by n_k events each
   for (std::size_t k = 0; k < groups.front().states.size(); ++k) {
     std::vector<BridgeGroup> sides;
     double found = 0;
@@ -77,9 +78,10 @@ Constant from_bridge(std::span<const GroupFindings> groups) {
     const BridgeFit fit = bridge(sides, unmet);
     if (!fit.failure.empty()) return {.failure = fit.failure};
     constant.b.value += fit.b;
-    constant.effective_samples += fit.effective_samples;
+    relative += fit.b / fit.effective_samples * fit.b;
     for (std::size_t g = 0; g < groups.size(); ++g) constant.without[g] += fit.without[g];
   }
+  if (relative > 0) constant.effective_samples = constant.b.value / relative * constant.b.value;
   // A stratum that one group alone found is dark without it; of a film that one alone found nobody knows the error.
   for (double& b : constant.without)
     if (b == 0) b = std::numeric_limits<double>::quiet_NaN();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mlt/run/film_degrees.h"
 #include "mlt/run/reliability.h"
 #include "statistics/jackknife.h"
 
@@ -46,20 +47,21 @@ FilmEstimate normalized_film(std::span<const GroupFindings> groups, const Consta
   const auto bins = static_cast<double>(films.front().size());
   const auto lit = std::ranges::count_if(groups, [](const auto& g) { return g.scale > 0; });
   FilmEstimate film{.shape = std::move(shape)};
-  std::vector<double> deviations(groups.size());  // squared, of all bins together
+  FilmDegrees degrees(groups.size());
   for (std::size_t j = 0; j < films.front().size(); ++j) {
     const double value = constant.b.value * bins * jackknife.value(j);
     const double error = bins * jackknife.error(j, constant.without);
     film.value.push_back(value);
     film.standard_error.push_back(error);
+    const double weight = degrees.add(value, error * error);
     for (std::size_t g = 0; g < groups.size(); ++g) {
       const double d =
           constant.without[g] * jackknife.without(j, g) / constant.b.value - jackknife.value(j);
-      deviations[g] += d * d;
+      degrees.move_bin(g, bins * constant.b.value * d, weight);
     }
   }
+  degrees.tell(film);
   film.reliable = reliability_of_groups(film, static_cast<std::size_t>(lit));
-  film.degrees_of_freedom = jackknife_degrees(deviations);
   film.by_length = by_length(groups, constant.b.value * bins / mass_of(films));
   return film;
 }

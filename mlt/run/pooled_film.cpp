@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mlt/run/film_degrees.h"
 #include "mlt/run/reliability.h"
 #include "mlt/run/run_shares.h"
 #include "statistics/jackknife.h"
@@ -242,17 +243,18 @@ PooledFilm pooled_film(std::span<const GroupFindings> groups, std::span<const in
   const Jackknife jackknife(groups.size(), weights_of(groups));
   FilmEstimate film{.shape = std::move(shape)};
   std::vector<double> of_samples;
-  std::vector<double> without, deviations(groups.size());  // squared, of all bins together
+  FilmDegrees degrees(groups.size());
+  std::vector<double> without;
   for (std::size_t j = 0; j < groups.front().film->bins(); ++j) {
     const double value = pool.value(j, without), error = jackknife.error(without);
     film.value.push_back(value);
     of_samples.push_back(pool.of_samples(j));
     film.standard_error.push_back(error);
-    for (std::size_t g = 0; g < groups.size(); ++g)
-      deviations[g] += (without[g] - value) * (without[g] - value);
+    const double weight = degrees.add(value, error * error);
+    for (std::size_t g = 0; g < groups.size(); ++g) degrees.move_bin(g, without[g] - value, weight);
   }
+  degrees.tell(film);
   film.reliable = reliability_of_groups(film, static_cast<std::size_t>(lit));
-  film.degrees_of_freedom = jackknife_degrees(deviations);
   film.by_length = pool.by_length();
   return {std::move(film), pool.level() * pool.mean().of_samples / constant.b.value,
           std::move(of_samples)};

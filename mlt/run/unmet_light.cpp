@@ -7,9 +7,6 @@ namespace wander {
 
 namespace {
 
-constexpr int most_groups = 1;       // that met it
-constexpr double fewest_states = 2;  // of each group, were its share of them that of the light
-
 struct OfClass {
   double samples = 0, states = 0;  // light
   int met = 0;                     // by so many groups
@@ -41,7 +38,7 @@ double unmet_light(std::span<const GroupFindings> groups) {
   double unmet = 0;
   for (const auto& [path_class, light] : classes) {
     const double share = light.samples / all.samples;
-    if (path_class != other_class && light.met <= most_groups && share * of_each >= fewest_states)
+    if (path_class != other_class && is_unmet(light.met, share * of_each))
       unmet += std::max(share - light.states / all.states, 0.0);
   }
   const OfClass& other = classes[other_class];

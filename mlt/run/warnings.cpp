@@ -130,7 +130,7 @@ std::string disagreeing_groups(const Evidence& evidence) {
   if (groups < static_cast<std::size_t>(GroupsFilm::fewest_groups)) return "";
   double worst = 1;
   std::string_view name;
-  std::array<Disagreement, functional_names.size()> all;
+  std::array<Disagreement, std::tuple_size_v<Functionals>> all;
   in_parallel(all.size(), [&](std::size_t k) {
     all[k] = disagreement(evidence.draws.of(k), evidence.chains_per_group);
   });
@@ -138,7 +138,7 @@ std::string disagreeing_groups(const Evidence& evidence) {
     const Disagreement& found = all[k];
     if (!(found.p_value < disagreement_false_alarm) || found.ratio <= worst) continue;
     worst = found.ratio;
-    name = spoken_functional(functional_names[k]);
+    name = spoken_functional(name_of_functional(k));
   }
   if (name.empty()) return "";
   return fmt::format(
@@ -208,7 +208,7 @@ Disagreement disagreement(const Draws& draws, std::size_t chains_per_group) {
 }
 
 std::string dominated_film(const FilmEstimate& film, int groups) {
-  if (groups <= 2 * fewest_film_degrees || !(film.degrees_of_freedom < fewest_film_degrees))
+  if (groups <= 2 * fewest_film_degrees || !(film.degrees_of_error < fewest_film_degrees))
     return {};
   if (!std::isfinite(relative_error(film)))
     return "nobody knows the error of the film: so few groups of chains found its light that "
@@ -219,8 +219,8 @@ std::string dominated_film(const FilmEstimate& film, int groups) {
       "freedom): "
       "they have met bright light that the others seldom have, and there may be more of it; where "
       "pixels are not reliable, trust a larger budget, or other seeds",
-      number_text(100 * relative_error(film), 2), film.degrees_of_freedom + 1, groups,
-      number_text(film.degrees_of_freedom, 2));
+      number_text(100 * relative_error(film), 2), film.degrees_of_error + 1, groups,
+      number_text(film.degrees_of_error, 2));
 }
 
 std::vector<std::string> warnings(const Evidence& evidence) {

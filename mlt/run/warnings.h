@@ -33,9 +33,6 @@ std::vector<std::string> warnings(const Evidence& evidence);
 // That a few groups decide the error of the film: one has met bright light that the others seldom have,
 // and nobody knows how much more of it there is.  Empty where it is not so.
 std::string dominated_film(const FilmEstimate& film, int groups);
-// Degrees of freedom of a film that no few of its groups dominate.
-inline constexpr double fewest_film_degrees = 3;
-
 // R̂ above this says that chains are short for their mixing [Vehtari et al. 2021].
 inline constexpr double largest_r_hat = 1.01;
 

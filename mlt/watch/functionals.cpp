@@ -1,7 +1,10 @@
 #include "mlt/watch/functionals.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
+#include <tuple>
+#include <utility>
 
 #include "work/parallel.h"
 
@@ -40,21 +43,38 @@ Draws ChainDraws::of(std::size_t functional) const {
   return draws;
 }
 
+namespace {
+
+FunctionalRecord diagnostics(const Draws& draws, std::uint64_t stride) {
+  FunctionalRecord f;
+  const std::array<std::function<void()>, 4> parts{
+      [&] { f.r_hat = rank_r_hat(draws); }, [&] { f.ess_bulk = ess_bulk(draws); },
+      [&] { f.ess_tail = ess_tail(draws); },
+      [&] { f.autocorrelation_time = autocorrelation_time(draws) * double(stride); }};
+  in_parallel(parts.size(), [&](std::size_t i) { parts[i](); });
+  return f;
+}
+
+// Of two coordinates each number of that which is known worse; what tells nothing is NaN, which fmax and fmin pass over.
+FunctionalRecord worse(const FunctionalRecord& a, const FunctionalRecord& b) {
+  return {.r_hat = std::fmax(a.r_hat, b.r_hat),
+          .ess_bulk = std::fmin(a.ess_bulk, b.ess_bulk),
+          .ess_tail = std::fmin(a.ess_tail, b.ess_tail),
+          .autocorrelation_time = std::fmax(a.autocorrelation_time, b.autocorrelation_time)};
+}
+
+}  // namespace
+
 ChainsRecord diagnostics(const ChainDraws& draws) {
-  ChainsRecord record;
-  record.stride = draws.stride();
-  record.functionals.resize(functional_names.size());
-  in_parallel(functional_names.size(), [&](std::size_t k) {
-    const Draws of = draws.of(k);
-    FunctionalRecord& f = record.functionals[k];
-    f.name = functional_names[k];
-    const std::array<std::function<void()>, 4> parts{
-        [&] { f.r_hat = rank_r_hat(of); }, [&] { f.ess_bulk = ess_bulk(of); },
-        [&] { f.ess_tail = ess_tail(of); },
-        [&] { f.autocorrelation_time = autocorrelation_time(of) * double(record.stride); }};
-    in_parallel(parts.size(), [&](std::size_t i) { parts[i](); });
-  });
-  record.draws = draws.length();
+  std::array<FunctionalRecord, std::tuple_size_v<Functionals>> all;
+  in_parallel(all.size(),
+              [&](std::size_t k) { all[k] = diagnostics(draws.of(k), draws.stride()); });
+  all[0] = worse(all[0], all[second_coordinate]);
+  ChainsRecord record{.draws = draws.length(), .stride = draws.stride()};
+  for (std::size_t k = 0; k < functional_names.size(); ++k) {
+    record.functionals.push_back(std::move(all[k]));
+    record.functionals.back().name = functional_names[k];
+  }
   return record;
 }
 

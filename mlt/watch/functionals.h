@@ -19,22 +19,29 @@ namespace wander {
 
 inline constexpr std::array<std::string_view, 4> functional_names{"film", "log_f", "vertices",
                                                                   "specular"};
-// First coordinate on the film, log f, number of vertices, number of specular vertices.
-using Functionals = std::array<double, functional_names.size()>;
+// Position on the film (of an image its first coordinate), log f, number of vertices, number of specular vertices; and of an
+// image the second coordinate.
+using Functionals = std::array<double, functional_names.size() + 1>;
+inline constexpr std::size_t second_coordinate = functional_names.size();
+// What is told of the second coordinate is told of the position.
+constexpr std::string_view name_of_functional(std::size_t k) {
+  return functional_names[k == second_coordinate ? 0 : k];
+}
 
 template <class Space>
 Functionals functionals(const Space& space, const Path<typename Space::Universe>& x) {
   int specular = 0;
   for (int i = 0; i < x.size(); ++i) specular += is_specular(x[i].event) ? 1 : 0;
-  return {static_cast<double>(space.film_position(x)[0]), x.contribution.log(),
-          static_cast<double>(x.size()), static_cast<double>(specular)};
+  const std::array<double, 2> film = film_position(space, x);
+  return {film[0], x.contribution.log(), static_cast<double>(x.size()),
+          static_cast<double>(specular), film[1]};
 }
 
 // The same of what stands for a state that is no path, with the logarithm of its target.
 inline Functionals functionals(const Features& state, double log_target) {
   const int specular = state.path_class == other_class ? 0 : std::popcount(state.path_class) - 1;
   return {state.film[0], log_target, static_cast<double>(state.vertices),
-          static_cast<double>(specular)};
+          static_cast<double>(specular), state.film[1]};
 }
 
 // The draws of one chain.
@@ -94,8 +101,8 @@ class ChainDraws {
   std::vector<ThinnedDraws> chains_;
 };
 
-// R̂ and the effective sample sizes of each functional; autocorrelation times in steps, which are
-// not resolved below the stride.
+// R̂ and the effective sample sizes of each functional, of a position those of the coordinate that is known worse;
+// autocorrelation times in steps, which are not resolved below the stride.
 ChainsRecord diagnostics(const ChainDraws& draws);
 
 }  // namespace wander

@@ -93,13 +93,15 @@ class LintOfSpace {
       note(found_.faults, shape,
            light_or_sensor_lies_on(scene_.shapes[shape].light.has_value(), other));
     for (const auto& [shape, other] : overlaps.of_passive)
-      note(found_.warnings, shape,
-           shape == other
-               ? std::string("triangles of this mesh lie on each other, and each method meets "
-                             "another of them: leave out what is there twice")
-               : fmt::format("this shape lies on /shapes/{}; where light reaches both, each "
-                             "method meets another of them: move one a small distance off",
-                             other));
+      note(
+          found_.warnings, shape,
+          shape == other
+              ? std::string("triangles of this mesh lie on each other, and each method meets "
+                            "another of them: leave out what is there twice, such as the back of a "
+                            "sheet, and split faces that are not convex into triangles")
+              : fmt::format("this shape lies on /shapes/{}; where light reaches both, each "
+                            "method meets another of them: move one a small distance off",
+                            other));
   }
 
   const description::Scene& scene_;

@@ -190,21 +190,23 @@ class OfPassive {
     if (!a.extent.meets(b.extent, rounding_) || !overlap(a.face, b.face, rounding_)) return false;
     const Sheet *one = std::get_if<Sheet>(&a.face), *other = std::get_if<Sheet>(&b.face);
     if (one == nullptr || other == nullptr) return true;
-    // Of one mesh nobody knows which of its faces are a body.
+    // Of one mesh nobody knows which of its faces are a body.  Those of two that touch look away from each other, and seldom
+    // share an edge; those of a sheet with two sides, or of a face that was folded as it was split, do.
     if (a.shape == b.shape)
-      return glm::dot(one->normal(), other->normal()) > 0 || have_same_corners(*one, *other);
+      return glm::dot(one->normal(), other->normal()) > 0 || share_an_edge(*one, *other);
     const Point normal = one->normal();
     return is_seen_from(normal, *one, a.shape, b.shape) ||
            is_seen_from(-normal, *one, a.shape, b.shape);
   }
-  bool have_same_corners(const Sheet& a, const Sheet& b) const {
+  bool share_an_edge(const Sheet& a, const Sheet& b) const {
     const auto corners = [](const Sheet& s) {
       return std::array{s.corner, s.corner + s.edge0, s.corner + s.edge1};
     };
     const auto others = corners(b);
-    return std::ranges::all_of(corners(a), [&](Point p) {
+    const auto shared = std::ranges::count_if(corners(a), [&](Point p) {
       return std::ranges::any_of(others, [&](Point q) { return glm::length(p - q) <= rounding_; });
     });
+    return shared >= 2;
   }
 
   // From the side of the plane to which the normal points: something is there, and neither shape

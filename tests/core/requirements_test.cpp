@@ -43,6 +43,23 @@ TEST(Requirements, AMirrorThatReflectsNothingIsNotSpecular) {
   EXPECT_FALSE(requires_of(scene_with(description::Mirror{grey(0)})).specular);
 }
 
+TEST(Requirements, TheNarrowestLobeIsOfRoughnessByDimension) {
+  const auto narrowest = [](description::MaterialKind kind, int dimension) {
+    Scene scene = scene_with(std::move(kind));
+    scene.dimension = dimension;
+    return requires_of(scene).narrowest_lobe;
+  };
+  const description::RoughConductor rough{0.01, grey(0.9)};
+  const description::RoughDielectric glass{0.25};
+  EXPECT_DOUBLE_EQ(narrowest(rough, 2), 0.01);
+  EXPECT_DOUBLE_EQ(narrowest(rough, 3), 1e-4);
+  EXPECT_DOUBLE_EQ(narrowest(glass, 3), 0.0625);
+  EXPECT_EQ(narrowest(description::RoughConductor{0.01, grey(0)}, 3), 1) << "it is black";
+  EXPECT_EQ(narrowest(description::Mirror{grey(0.9)}, 3), 0);
+  EXPECT_EQ(narrowest(description::Mirror{grey(0)}, 3), 1);
+  EXPECT_EQ(narrowest(description::Diffuse{grey(0.9)}, 3), 1);
+}
+
 TEST(Requirements, OfConductorsAreThoseOfMirrorsAndRoughMetals) {
   const description::Quantity eta = grey(0.2), k = grey(3.9), coloured{{3.9, 2.4, 2.1}, true};
   const Requirements smooth = requires_of(scene_with(description::Conductor{eta, k}));

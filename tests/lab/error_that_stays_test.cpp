@@ -39,7 +39,7 @@ class RunOfFewSamples final : public CountingRun {
     Rendering r = CountingRun::findings();
     r.film.standard_error = {samples() < forever ? error_after(samples(), lacks_ ? of_samples : 0)
                                                  : 0};
-    r.film.degrees_of_freedom = degrees_of_freedom_;
+    r.film.degrees_of_error = degrees_of_freedom_;
     return r;
   }
 

@@ -70,12 +70,12 @@ TEST(RareTechniques, AreToldWhereTheBinsAroundTakeTheTrustFirst) {
 struct Met {
   int vertices, lamps, sensors;
 };
-bool doubted(Met met, MetByChance end) {
+bool doubted(Met met, MetByChance end, double lobe = 0) {
   SampleFilm film = film_seen(0);
   for (int i = 0; i < met.lamps; ++i) film.add({{met.vertices, 0, i % 2, 0.01}});
   for (int i = 0; i < met.sensors; ++i) film.add({{met.vertices, met.vertices, i % 2, 0.01}});
   Rendering rendering{.method = "pt", .samples = film.samples(), .film = film.estimate(shape)};
-  add_doubts(rendering, film.techniques(), end);
+  add_doubts(rendering, film.techniques(), {end, lobe});
   EXPECT_EQ(reliable_bins(rendering.film), rendering.warnings.empty() ? 2u : 0u);
   return !rendering.warnings.empty();
 }
@@ -105,6 +105,17 @@ TEST(RareTechniques, AreNoMatterOfAFilmWithoutLight) {
   SampleFilm dark(2, 5);
   dark.add(Contributions{});
   EXPECT_EQ(said_of(dark), "");
+}
+
+// A film of 409 samples: of those to a lobe of a quarter of all directions a hundred find it.
+TEST(SampleDoubts, AreNoneWhereConnectionsToNarrowLobesFindTheLight) {
+  for (const MetByChance end :
+       {MetByChance::lights, MetByChance::sensors, MetByChance::either, MetByChance::camera}) {
+    EXPECT_TRUE(doubted({3, 0, 0}, end, 0.24));
+    EXPECT_FALSE(doubted({3, 0, 0}, end, 0.25));
+  }
+  EXPECT_TRUE(doubted({3, 9, 9}, MetByChance::camera, 1e-6)) << "no light subpath meets it";
+  EXPECT_FALSE(doubted({3, 9, 9}, MetByChance::lights, 1e-6));
 }
 
 }  // namespace

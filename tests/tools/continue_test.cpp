@@ -217,7 +217,7 @@ TEST_F(Continuing, ACheckpointOfAnotherVersionIsRefused) {
     other.replace(other.find(from), from.size(), to);
     change("run/checkpoint", [&](std::string& file) { file = sealed(other); });
   };
-  with("wanderlight-checkpoint/12", "wanderlight-checkpoint/9");
+  with("wanderlight-checkpoint/13", "wanderlight-checkpoint/9");
   expect_refused("render --continue -o run", 3, {"its format is wanderlight-checkpoint/9"});
   with("\"version\":\"", "\"version\":\"9.");
   expect_refused("render --continue -o run", 3, {"of version 9."});

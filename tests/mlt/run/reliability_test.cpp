@@ -20,7 +20,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Whose bins, all as bright, are known as so many events would tell them; below zero, dark.
 FilmEstimate known_as(const std::vector<double>& events, std::vector<int> shape) {
-  FilmEstimate film{.shape = std::move(shape)};
+  FilmEstimate film{.shape = std::move(shape), .degrees_of_freedom = 63};
   for (std::size_t j = 0; j < events.size(); ++j) {
     film.value.push_back(events[j] < 0 ? 0 : 3);
     film.standard_error.push_back(events[j] < 0 ? 0 : film.value[j] / std::sqrt(events[j]));
@@ -35,6 +35,15 @@ std::vector<bool> told(const FilmEstimate& film, std::size_t groups = enough) {
 TEST(ReliableBins, NeedEnoughGroups) {
   const FilmEstimate film = known_as({1e6, 1e6, 1e6}, {3});
   EXPECT_EQ(told(film, enough - 1), std::vector<bool>(3, false));
+  EXPECT_EQ(told(film), std::vector<bool>(3, true));
+}
+
+// An interval of 95 % that rests on fewer says next to nothing.
+TEST(ReliableBins, NeedThreeDegreesOfFreedom) {
+  FilmEstimate film = known_as({1e6, 1e6, 1e6}, {3});
+  film.degrees_of_freedom = 2.9;
+  EXPECT_EQ(told(film), std::vector<bool>(3, false));
+  film.degrees_of_freedom = 3;
   EXPECT_EQ(told(film), std::vector<bool>(3, true));
 }
 
@@ -164,7 +173,7 @@ TEST(ReliableBins, AreThoseOfARecount) {
 TEST(ReliableBins, AreNotChosenByTheirOwnValue) {
   Rng random(8, Purpose::test, 0);
   for (const double mean : {60.0, 90.0}) {
-    FilmEstimate film{.shape = {40, 50}};
+    FilmEstimate film{.shape = {40, 50}, .degrees_of_freedom = 63};
     double bright = 0, trusted = 0;
     for (int j = 0; j < 2000; ++j) {
       double hits = -1;
@@ -215,6 +224,7 @@ Claims claims_where_rare_events_are(double per_pixel, int images) {
       film.standard_error.push_back(
           std::sqrt((squares - sum * sum / groups) * groups / (groups - 1)));
     }
+    film.degrees_of_freedom = groups - 1;
     film.reliable = reliability_of_groups(film, groups);
     for (std::size_t j = 0; j < film.value.size(); ++j, ++claims.pixels) {
       const double v = film.value[j], e = film.standard_error[j];

@@ -280,8 +280,7 @@ TEST_F(Warnings, SayThatChainsCannotMove) {
 }
 
 FilmEstimate film_with(double degrees) {
-  return {
-      .shape = {2}, .value = {1, 3}, .standard_error = {0.3, 0.4}, .degrees_of_freedom = degrees};
+  return {.shape = {2}, .value = {1, 3}, .standard_error = {0.3, 0.4}, .degrees_of_error = degrees};
 }
 
 TEST(DominatedFilms, SayHowFewGroupsDecide) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace wander::test {
@@ -57,10 +58,45 @@ TEST(ChainDraws, OfChainsThatDifferInLengthHaveOneStrideAndOneLength) {
   }
 }
 
+TEST(Functionals, HaveBothCoordinatesOfAFilm) {
+  Features state;
+  state.film = {0.25, 0.75};
+  state.vertices = 4;
+  const Functionals draw = functionals(state, -2);
+  EXPECT_EQ(draw, (Functionals{0.25, -2, 4, draw[3], 0.75}));
+  EXPECT_EQ(draw[second_coordinate], 0.75);
+}
+
 TEST(ChainDraws, OfNoChainsAreNone) {
   const ChainsRecord record = diagnostics(ChainDraws{});
   EXPECT_EQ(record.draws, 0u);
   for (const FunctionalRecord& f : record.functionals) EXPECT_TRUE(std::isnan(f.r_hat));
+}
+
+// Of an image the position has two coordinates, of which one may be known well: two chains, of which each is where the other is by the
+// one, and by the other never.
+TEST(ChainsRecord, TellsOfThePositionWhatItsWorseCoordinateSays) {
+  for (const std::size_t stays : {std::size_t{0}, second_coordinate}) {
+    ChainDraws draws;
+    for (const double place : {0.2, 0.7}) {
+      ThinnedDraws chain;
+      for (int i = 0; i < 200; ++i)
+        chain.offer([&] {
+          Functionals draw{0.5, -1, 3, 0, 0.5};
+          draw[stays] = place + 1e-3 * (i * 7 % 31);
+          draw[second_coordinate - stays] = 1e-2 * (i * 37 % 97);
+          return draw;
+        });
+      draws.add(chain);
+    }
+    const FunctionalRecord film = diagnostics(draws).functionals[0];
+    EXPECT_GT(film.r_hat, 1.5);
+    EXPECT_EQ(film.r_hat, rank_r_hat(draws.of(stays)));
+    EXPECT_EQ(film.ess_bulk, ess_bulk(draws.of(stays)));
+    EXPECT_EQ(film.ess_tail,
+              std::min(ess_tail(draws.of(0)), ess_tail(draws.of(second_coordinate))));
+    EXPECT_EQ(film.autocorrelation_time, autocorrelation_time(draws.of(stays)));
+  }
 }
 
 TEST(ChainsRecord, CountsAutocorrelationInSteps) {

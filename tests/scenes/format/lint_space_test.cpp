@@ -191,6 +191,26 @@ TEST_F(LintOfMeshes, WhatIsTwiceInAMeshIsSaidOnce) {
   }
 }
 
+// The corners of a square, and a point within it near the first.
+Triangles of_square(std::vector<std::array<std::int32_t, 3>> corners) {
+  return {.points = {{5, 2, 5}, {6, 2, 5}, {6, 2, 6}, {5, 2, 6}, {5.3, 2, 5.3}},
+          .corners = std::move(corners)};
+}
+// Faces 1 2 3 4 and 4 3 2 1 of a file, which are split from their first corners; and a dart, 4 1 2 5, of whose corners the
+// first does not see all.  But not the two halves of a face.
+TEST_F(LintOfMeshes, TheBackOfASheetAndAFoldedFaceAreThereTwice) {
+  add(of_square({{0, 1, 2}, {0, 2, 3}}));
+  EXPECT_TRUE(doubts().empty());
+  for (const auto& mesh : {of_square({{0, 1, 2}, {0, 2, 3}, {3, 2, 1}, {3, 1, 0}}),
+                           of_square({{3, 0, 1}, {3, 1, 4}})}) {
+    scene_.shapes.resize(2);
+    add(mesh);
+    const std::vector<Fault> found = doubts();
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].what.find("triangles of this mesh lie on each other"), 0u);
+  }
+}
+
 // Beside however large a mesh.
 TEST_F(LintOfMeshes, ShapesOfOneFaceAreComparedWithEachOtherFirst) {
   Generator g(1);
