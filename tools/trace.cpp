@@ -41,7 +41,8 @@ struct TraceOptions {
   std::string scene;
   const Method* method = traced_methods().front();
   std::shared_ptr<DialOptions> given = std::make_shared<DialOptions>();
-  int chains = 4;
+  std::optional<int> chains_asked;
+  int chains() const { return chains_asked.value_or(4); }
   std::optional<std::uint64_t> steps;
   std::uint64_t every = 1;
   std::optional<std::pair<std::uint64_t, std::uint64_t>> window;
@@ -56,6 +57,18 @@ struct TraceOptions {
   std::optional<Job> job;
 };
 
+// Of the run that is asked for, where it is said how large that is.
+void require_within(const TraceOptions::Step& replay, const TraceOptions& options) {
+  const auto refuse = [&](const char* what, auto most) {
+    throw UsageError(
+        fmt::format("--replay {}:{}: there is no such {} among the {} that are asked for",
+                    replay.chain, replay.step, what, most));
+  };
+  if (options.chains_asked && replay.chain >= *options.chains_asked)
+    refuse("chain", *options.chains_asked);
+  if (options.steps && replay.step >= *options.steps) refuse("step", *options.steps);
+}
+
 void require_traceable(const TraceOptions& options) {
   const Method& method = *options.method;
   require_traced(method);
@@ -65,6 +78,7 @@ void require_traceable(const TraceOptions& options) {
         "--replay takes apart steps of {}, which are proposed in path space; those of {} are moves "
         "of random numbers: record them with -o FILE.nc, which has every term of their acceptance",
         in_words(methods_that([](const Method& m) { return m.is_replayed(); })), method.name));
+  if (options.replay) require_within(*options.replay, options);
 }
 
 bool is_csv(const Global& global) {
@@ -102,7 +116,7 @@ TraceWindow window_of(const TraceOptions& options) {
     window.first = first;
     window.end = end;
   }
-  require_bounded({options.chains, window});
+  require_bounded({options.chains(), window});
   return window;
 }
 
@@ -122,7 +136,7 @@ void write(const TrajectoryRecord& record, const description::Scene& scene, cons
 
 ExitCode record_chains(const SceneDocument& document, const TraceOptions& options,
                        const Session& session, const Global& global) {
-  const TraceRequest request{options.chains, window_of(options)};
+  const TraceRequest request{options.chains(), window_of(options)};
   Trace trace = wander::trace(*options.job, session, request);
   const double seconds = trace.seconds, seed_seconds = trace.seed_seconds;
   const int threads = trace.threads;
@@ -199,7 +213,7 @@ probability, and the state after the decision.  A file with the ending .csv has 
 per draw; any other is netCDF-4 and opens with arviz.from_netcdf.
 
 The chains are those that `render --film chains --target light --kernel 1` runs by the same
-method with the same scene, dials and seed, and a budget of 256 to 131072 mutations; where
+method with the same scene, dials and seed, no --chains, and a budget of 256 to 131072 mutations; where
 samples find light often, those of its pooled film, too.  A chain of mmlt keeps to paths of one
 length: the lengths share the chains in proportion to their light.  Ctrl-C saves the draws
 that all chains have.
@@ -219,7 +233,7 @@ void add_trace_options(Command verb, const std::shared_ptr<TraceOptions>& option
          [options](const std::string& text) { options->method = &find_method(text); });
   add_dial_options(verb, chain_dials, options->given);
   option("--chains", "N", "how many chains (default: 4)", [options](const std::string& text) {
-    options->chains = static_cast<int>(parse_count("--chains", text, 1, most_traced_chains));
+    options->chains_asked = static_cast<int>(parse_count("--chains", text, 1, most_traced_chains));
   });
   option("--steps", "N", "steps of each chain (default: 1000)", [options](const std::string& text) {
     options->steps = parse_count("--steps", text, 1, most_steps);

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <vector>
 
+#include "core/film_estimate.h"
 #include "mlt/run/bridge_cells.h"
 #include "mlt/run/solver_log.h"
 #include "statistics/squared.h"
@@ -179,15 +181,32 @@ double b_without(const Cells& cells, std::size_t group, double balance, double b
               : unknown;
 }
 
+// Where chains tell nothing.
+BridgeFit of_samples(const Cells& cells) {
+  BridgeFit fit;
+  fit.b = cells.direct();
+  fit.balance = 0;
+  double spread = 0;
+  for (std::size_t g = 0; g < cells.groups(); ++g) {
+    const bool is_all = !cells.has_samples_without(g);
+    fit.without.push_back(is_all ? not_known : cells.direct_without(g));
+    const double share = cells.samples_of(g) / cells.samples();
+    spread += is_all ? 0 : squared((1 - share) * (fit.without[g] / fit.b - 1));
+  }
+  fit.effective_samples = spread > 0 ? std::min(1 / spread, cells.samples()) : cells.samples();
+  return fit;
+}
+
 }  // namespace
 
 BridgeFit bridge(std::span<const BridgeGroup> groups, double unmet) {
   BridgeFit fit;
   const Cells cells(groups);
-  if (!(cells.direct() > 0) || !cells.has_states()) {
+  if (!(cells.direct() > 0)) {
     fit.failure = "it needs paths of the seed pass and states of chains";
     return fit;
   }
+  if (!cells.has_states() || !cells.has_found()) return of_samples(cells);
   fit.balance = cells.balance_at_first();
   std::optional<double> beta = solve(cells.all(), fit.balance, 0);
   for (int round = 0; round < 2 && beta && groups.size() > 1; ++round) {

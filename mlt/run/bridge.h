@@ -41,8 +41,8 @@ struct BridgeFit {
   std::string failure;  // why there is no b; empty if there is
 };
 
-// By Ceres, which solves L'(β) = 0.  b is unknown if no path was found or no state seen, or if
-// Ceres does not converge.  `unmet`: the share of light that chains are known not to have met (unmet_light.h).
+// By Ceres, which solves L'(β) = 0.  b is unknown if no path was found, or if Ceres does not converge; where chains tell nothing of
+// what samples found it is what these say.  `unmet`: the share of light that chains are known not to have met (unmet_light.h).
 BridgeFit bridge(std::span<const BridgeGroup> groups, double unmet = 0);
 
 }  // namespace wander

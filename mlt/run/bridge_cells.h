@@ -59,6 +59,7 @@ class Cells {
   }
   double samples() const { return samples_; }
   bool has_states() const { return all_states_ > 0; }
+  bool has_found() const { return found_count_ > 0; }
   // Until the groups tell: few states know no more than as many samples.
   double balance_at_first() const { return std::min(1.0, state_count_ / samples_); }
   std::span<const Cell> all() const { return cells_; }
@@ -174,6 +175,7 @@ class Cells {
     return end;
   }
   void leave_unmet_to_samples(const RatioHistogram& found) {
+    if (groups() <= 2) return;  // of which one says little of the other
     const double states_of_each = state_count_ / static_cast<double>(groups());
     std::vector<int> met;
     for (std::size_t begin = 0, end = 0; begin < bins_.size(); begin = end) {

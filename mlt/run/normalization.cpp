@@ -63,6 +63,12 @@ Constant from_least_squares(std::span<const GroupFindings> groups) {
 // b = Σ over the strata, which are independent targets; one in which nothing was found is dark.
 Constant from_bridge(std::span<const GroupFindings> groups) {
   Constant constant{.b = {0, 0}, .without = std::vector<double>(groups.size())};
+  const auto has_states = [](const GroupFindings& group) {
+    return std::ranges::any_of(
+        group.states, [](const StateRatios& stratum) { return stratum.ratios->count() > 0; });
+  };
+  if (std::ranges::none_of(groups, has_states))
+    return {.failure = "it needs paths of the seed pass and states of chains"};
   const double unmet = unmet_light(groups);
   double relative = 0;  // Σ b_k² / n_k: of strata that are known by n_k events each
   for (std::size_t k = 0; k < groups.front().states.size(); ++k) {

@@ -1,8 +1,10 @@
 // What runs of chains claim of the brightness of a film where the light of some paths is seldom found: of all of it, in a room
-// in which the chains of most runs never meet what few samples do (unmet_light.h), and of the light of two and three vertices, of which
+// in two parts whose chains begin in one of them, and in a room in which the chains of most runs never meet what few samples do (unmet_light.h), and of the light of two and three vertices, of which
 // samples carry all and chains next to nothing (pooled_lengths).
 //
-// Of these runs the 95 % intervals of b hold it in 0.94, those of the two lengths in 0.955 and 0.885; where unmet classes are not told
+// The 95 % intervals of b of the first hold it in 0.91 of these runs; where octaves that no chain met are bridged, in 0.76 of 40, and 5 of 24 films were called
+// reliable, none of which held it.
+// Those of the second hold it in 0.94, those of the two lengths in 0.955 and 0.885; where unmet classes are not told
 // b was held in 0.70 of 100 runs, and where lengths are those of chains alone in 0.67 and 0.63 of 30.  Bounds are passed by
 // chance once in a million where 0.9 hold, and 0.73 is seen nineteen times in twenty.  Control: errors half as large are caught.
 #include <gtest/gtest.h>
@@ -14,6 +16,7 @@
 #include <numeric>
 #include <vector>
 
+#include "core/exact/diffuse_film.h"
 #include "lab/engine.h"
 #include "scenes/format/scene_file.h"
 #include "tests/support/statistics.h"
@@ -57,6 +60,19 @@ constexpr const char* rooms_with_a_gap = R"({
     { "type": "segment", "from": [2.4,0.1], "to": [3.4,0.1], "sensor": { "bins": 60 } },
     { "type": "segment", "from": [3.9,1.9], "to": [3.7,1.9], "light": { "radiance": 2 } } ] })";
 
+// The same with a gap so narrow that few samples come through, for most of the light: and one bin, of which no bin around it says that it lacks any.
+constexpr const char* rooms_with_a_crack = R"({
+  "format": "wanderlight-scene/1", "dimension": 2, "max_vertices": 5,
+  "materials": { "plaster": { "type": "diffuse", "reflectance": 0.5 } },
+  "shapes": [
+    { "type": "polyline", "closed": true, "material": "plaster", "points": [[0,0],[2,0],[2,1],[0,1]] },
+    { "type": "segment", "from": [1,0], "to": [1,0.499995] },
+    { "type": "segment", "from": [1,0.500005], "to": [1,1] },
+    { "type": "segment", "from": [0.7,0.9], "to": [0.5,0.93], "light": { "radiance": 120000 } },
+    { "type": "segment", "from": [1.9,0.95], "to": [1.7,0.95], "light": { "radiance": 1 } },
+    { "type": "segment", "from": [1.2,0.05], "to": [1.8,0.07], "sensor": { "bins": 1 },
+      "material": "plaster" } ] })";
+
 Rendering rendering_of(const description::Scene& scene, std::string_view method,
                        std::uint64_t samples, std::uint64_t seed) {
   Session session;
@@ -65,10 +81,11 @@ Rendering rendering_of(const description::Scene& scene, std::string_view method,
   session.budget = SampleBudget{samples};
   return render({scene, find_method(method)}, session);
 }
-std::vector<Rendering> many_of_mlt(const description::Scene& scene, std::uint64_t steps) {
+std::vector<Rendering> many_of(const char* method, const description::Scene& scene,
+                               std::uint64_t steps) {
   std::vector<Rendering> all;
   for (std::uint64_t run = 0; run < runs; ++run)
-    all.push_back(rendering_of(scene, "mlt", steps, 1000 + run));
+    all.push_back(rendering_of(scene, method, steps, 1000 + run));
   return all;
 }
 
@@ -96,11 +113,25 @@ void expect_enough(const char* what, const std::vector<Estimate>& claims, const 
   EXPECT_FALSE(enough_hold(holding(claims, truth, 0.5))) << what;
 }
 
+TEST(RareClasses, OfChainsThatBeganElsewhereAreLeftToSamples) {
+  const description::Scene scene = parse_scene(rooms_with_a_crack, "rooms").scene;
+  const double truth = exact::diffuse_film(scene).value.front();
+  std::vector<Estimate> claims;
+  int astray = 0;  // that are called reliable
+  for (const Rendering& r : many_of("mmlt", scene, 100'000)) {
+    claims.push_back(*r.normalization);
+    const double off = std::abs(r.film.value.front() - truth);
+    astray += r.film.reliable.front() && off > 4 * r.film.standard_error.front() ? 1 : 0;
+  }
+  expect_enough("b of two parts", claims, {truth, 0});
+  EXPECT_LE(astray, 3);
+}
+
 TEST(RareClasses, AreInTheIntervalsOfB) {
   const description::Scene scene = parse_scene(room_of_balls, "room").scene;
   const FilmEstimate film = rendering_of(scene, "bdpt", 8'000'000, 4711).film;
   std::vector<Estimate> claims;
-  for (const Rendering& r : many_of_mlt(scene, 100'000)) claims.push_back(*r.normalization);
+  for (const Rendering& r : many_of("mlt", scene, 100'000)) claims.push_back(*r.normalization);
   expect_enough("b", claims, {film.value.front(), film.standard_error.front()});
 }
 
@@ -108,7 +139,7 @@ TEST(RareClasses, OfSamplesAloneHaveTheirLight) {
   const description::Scene scene = parse_scene(rooms_with_a_gap, "rooms").scene;
   const FilmEstimate film = rendering_of(scene, "bdpt", 8'000'000, 4711).film;
   std::map<int, std::vector<Estimate>> claims;
-  for (const Rendering& r : many_of_mlt(scene, 50'000))
+  for (const Rendering& r : many_of("mlt", scene, 50'000))
     for (const LengthShare& share : r.normalization->by_length)
       claims[share.vertices].push_back(share);
   expect_enough("two vertices", claims[2], {mean(film.by_length.at(2)), 0});

@@ -178,6 +178,8 @@ TEST_F(TraceCommand, EveryMistakeInItsCommandLineIsExitTwo) {
                                 "trace box.json --replay -1:0",
                                 "trace box.json --replay 1:2:3",
                                 "trace box.json --replay 256:0",
+                                "trace box.json --replay 4:1 --chains 4",
+                                "trace box.json --replay 0:9 --steps 9",
                                 "trace box.json --replay 0:1 -o t.nc"}) {
     const Outcome outcome = wander(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments << "\n" << outcome.err;

@@ -132,14 +132,31 @@ TEST(Bridge, KnowsHowManyEventsWouldTellAsMuch) {
 }
 
 TEST(Bridge, SaysWhyThereIsNoConstant) {
-  Sides dark = simulate({}, 5), still = dark;
+  Sides dark = simulate({}, 5);
   for (auto& side : dark.found) side = {};
+  const BridgeFit fit = bridge(dark.data());
+  EXPECT_FALSE(fit.failure.empty());
+  EXPECT_EQ(fit.b, 0);
+}
+
+// As a length of mmlt that no chain was left for.
+TEST(Bridge, WithoutStatesIsWhatSamplesSay) {
+  Sides still = simulate({}, 5);
   for (auto& side : still.states) side = {};
-  for (const Sides& sides : {dark, still}) {
-    const BridgeFit fit = bridge(sides.data());
-    EXPECT_FALSE(fit.failure.empty());
-    EXPECT_EQ(fit.b, 0);
+  const BridgeFit fit = bridge(still.data());
+  ASSERT_TRUE(fit.failure.empty()) << fit.failure;
+  EXPECT_DOUBLE_EQ(fit.b, still.direct);
+  double total = 0, squares = 0;
+  for (std::size_t g = 0; g < groups; ++g) {
+    double of_group = 0;
+    for (const double l : still.found[g].values) of_group += l;
+    EXPECT_NEAR(fit.without[g],
+                (still.direct * groups - of_group / still.samples_of_group) / (groups - 1),
+                1e-12 * fit.b);
+    total += of_group;
+    squares += std::pow(of_group - still.direct * still.samples_of_group, 2);
   }
+  EXPECT_NEAR(fit.effective_samples, total * total / squares, 1e-6 * fit.effective_samples);
 }
 
 // One group tells no spread, and one state is enough for an estimate.
