@@ -8,8 +8,8 @@
 //                  luminance, and `tint` is what they are beside it (tint.h)
 //   toward_sensor  density of sampling the sensor's direction, given the light's
 //   toward_light   density of sampling the light's direction, given the sensor's
-// For specular events all three are coefficients of one formal δ with ∫ δ n^(D-1) dσ⊥ = 1 on either
-// side of the surface (n: index of refraction there); it cancels in every ratio, and étendue
+// For specular events all three are coefficients of one formal δ, of a reflection with ∫ δ dσ⊥ = 1, of a refraction with
+// ∫ δ n^(D-1) dσ⊥ = 1 on either side of the surface (n: index of refraction there); it cancels in every ratio, and étendue
 // n^(D-1) dσ⊥ is conserved by refraction, so the coefficients of both directions are consistent.
 //
 // Every material offers

@@ -9,7 +9,7 @@
 //   toward_light   p_s |L·S| / |L·N|
 // A path has one value, whichever end it is sampled from, so all techniques have the same film.  Its
 // adjoint, with L and E exchanged, is another function: f_s |E·S| / |E·N|.  The δ of a specular event
-// is that about S, ∫ δ n^(D-1) |ω·S| dω = 1; it is one formal factor of all three, as everywhere.
+// is that about S (material.h, with |ω·S| dω for dσ⊥); it is one formal factor of all three, as everywhere.
 //
 // A direction on different sides of the surface by N and by S would carry light through it, or
 // into it: there value and densities are 0, and a sample of such a direction, or for one, ends its walk.
