@@ -13,8 +13,9 @@ namespace wander {
 
 namespace {
 
-constexpr double fewest_meetings = 5;       // in effective samples
-constexpr double fewest_connections = 100;  // by a lobe, were all samples to connect to it
+constexpr double fewest_meetings = 5;  // in effective samples
+constexpr double fewest_connections =
+    10;  // into a lobe, were all samples to connect to it: then rare techniques tell
 
 struct Words {
   const char *where, *remedy;
@@ -28,8 +29,8 @@ Words words_of(MetByChance end) {
             "a larger budget; or bdpt, if that light is scattered on its way from the lamp"};
   if (end == MetByChance::camera)
     return {
-        "only where a connection to the camera falls into so narrow a lobe, "
-        "as hardly one does",
+        "only where a connection to the camera falls into their narrow lobes, "
+        "and hardly any does",
         "pt or bdpt"};
   return {
       "next to lamp and sensor only where it meets one of them by chance, and it hardly met one",

@@ -24,7 +24,7 @@ struct FoundByChance {
   double lobe = 0;
 };
 
-// Of connections to a surface with such a lobe next to none arrive in it, of a hundred million a hundred.
+// Of connections to a surface with such a lobe next to none arrive in it, of ten million ten.
 inline constexpr double lobe_of_hardly_any = 1e-6;
 
 // What a method never finds, or hardly ever, is said elsewhere (Method::why_blind).

@@ -85,21 +85,27 @@ std::optional<double> refined(std::span<const Cell> cells, double balance, doubl
   return solve(cells, balance, start);
 }
 
-// How many independent events would tell what samples bring to b as well as the groups do: E_B[Σ h] of the cells, of whose
-// light that is a measure, and what they found elsewhere.
-double effective_samples(const Cells& cells, double balance, double beta, double elsewhere) {
+// What the samples of each group bring to b beyond their share of it, in its units: by E_B[Σ h] of the cells, of whose light
+// that is a measure, and by what they found elsewhere.
+std::vector<double> moved_by(const Cells& cells, double balance, double beta, double elsewhere) {
   const auto h = [&](double l) { return l / (balance * l + std::exp(beta)); };
-  double mean = 0, spread = 0;
+  double mean = 0;
   for (const Cell& c : cells.all()) mean += c.found * h(c.found_ratio);
   const double light = std::exp(beta) / mean;  // of a unit of E_B[Σ h]
+  std::vector<double> moved;
   for (std::size_t g = 0; g < cells.groups(); ++g) {
     const double paths = cells.sums_of(g, h, [](double) { return 0.0; }).paths;
     const double found = light * paths + (elsewhere > 0 ? cells.unmet_light_of(g) : 0);
-    const double d = (found - cells.samples_of(g) * (light * mean + elsewhere)) / cells.samples();
-    spread += d * d;
+    moved.push_back((found - cells.samples_of(g) * (light * mean + elsewhere)) / cells.samples());
   }
-  const double b = light * mean + elsewhere;
-  return spread > 0 ? std::min(b * b / spread, cells.samples()) : cells.samples();
+  return moved;
+}
+
+// How many independent events would tell b as well as what moves it does.
+double effective_samples(const std::vector<double>& moved, double b, double samples) {
+  double spread = 0;
+  for (const double of_group : moved) spread += squared(of_group / b);
+  return spread > 0 ? std::min(1 / spread, samples) : samples;
 }
 
 // What m, a function of l, would vary by because of light that samples know and chains have not come to.  Where chains
@@ -164,7 +170,8 @@ double best_balance(const Cells& cells, double balance, double beta, double unme
   const double b = std::exp(beta);
   const auto h = [&](double l) { return l / (balance * l + b); };
   const auto m = [&](double l) { return 1 / (balance * l + b); };
-  const double of_samples = 1 / effective_samples(cells, balance, beta, 0);
+  const double of_samples =
+      1 / effective_samples(moved_by(cells, balance, beta, 0), b, cells.samples());
   const double ratio = size_of_states(cells, b, of_samples, unmet, m) / size_of_samples(cells, h);
   return std::isfinite(ratio) && ratio > 0 ? ratio : balance;
 }
@@ -186,14 +193,13 @@ BridgeFit of_samples(const Cells& cells) {
   BridgeFit fit;
   fit.b = cells.direct();
   fit.balance = 0;
-  double spread = 0;
   for (std::size_t g = 0; g < cells.groups(); ++g) {
     const bool is_all = !cells.has_samples_without(g);
     fit.without.push_back(is_all ? not_known : cells.direct_without(g));
     const double share = cells.samples_of(g) / cells.samples();
-    spread += is_all ? 0 : squared((1 - share) * (fit.without[g] / fit.b - 1));
+    fit.moved.push_back(is_all ? 0 : (1 - share) * (fit.b - fit.without[g]));
   }
-  fit.effective_samples = spread > 0 ? std::min(1 / spread, cells.samples()) : cells.samples();
+  fit.effective_samples = effective_samples(fit.moved, fit.b, cells.samples());
   return fit;
 }
 
@@ -218,7 +224,9 @@ BridgeFit bridge(std::span<const BridgeGroup> groups, double unmet) {
     return fit;
   }
   fit.b = cells.direct() * (std::exp(*beta) + cells.light_of_samples());
-  fit.effective_samples = effective_samples(cells, fit.balance, *beta, cells.light_of_samples());
+  fit.moved = moved_by(cells, fit.balance, *beta, cells.light_of_samples());
+  for (double& moved : fit.moved) moved *= cells.direct();
+  fit.effective_samples = effective_samples(fit.moved, fit.b, cells.samples());
   fit.without.resize(groups.size());
   in_parallel(groups.size(),
               [&](std::size_t g) { fit.without[g] = b_without(cells, g, fit.balance, *beta); });

@@ -9,7 +9,8 @@
 // where E_B is over all samples, those that find nothing counted, and Σ over the paths that one
 // finds.  It is where the logistic loss of telling the sides apart is least:
 //   L(β) = n_B E_B[Σ log(1 + r l e^-β)] + n_M E_M[log(1 + e^β / (r l))],   b = e^β,
-// which is convex.  The influence of a path is bounded, so no firefly of the seed pass dominates.
+// which is convex.  The influence of a path is bounded, so no firefly of the seed pass dominates,
+// but where chains know nothing of such light (unmet_light.h), which is left to samples.
 // Any r gives a consistent estimate; the best is that of effective sizes, which the spread of the
 // groups tells.  Chains that miss a part of f bias it: hence the alarm in normalization.h.
 #pragma once
@@ -34,8 +35,9 @@ struct BridgeFit {
   double b = 0;
   // b from all groups but one, for the jackknife: 0 where these found nothing, NaN where they tell nothing.
   std::vector<double> without;
-  // How many independent events would know the seed pass's side as well as its groups do, but no
-  // more than it has samples.
+  // By how much b moves with what the samples of each group found, and how many independent events would know it as well: no
+  // more than there are samples.
+  std::vector<double> moved;
   double effective_samples = 0;
   double balance = 1;   // r
   std::string failure;  // why there is no b; empty if there is

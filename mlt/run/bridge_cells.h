@@ -175,7 +175,7 @@ class Cells {
     return end;
   }
   void leave_unmet_to_samples(const RatioHistogram& found) {
-    if (groups() <= 2) return;  // of which one says little of the other
+    if (groups() <= 2) return;  // one of two is no few
     const double states_of_each = state_count_ / static_cast<double>(groups());
     std::vector<int> met;
     for (std::size_t begin = 0, end = 0; begin < bins_.size(); begin = end) {

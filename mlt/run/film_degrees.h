@@ -1,6 +1,6 @@
 // How many degrees of freedom there are in a film whose errors are what its groups differ by: those of the error of all bins
-// together, which few bright ones may decide, and those of the intervals of bins, where all that may be reliable by their own
-// claim (core/reliability.h) count alike.
+// together, which few bright ones may decide, and those of the intervals of bins on average, where all that may be reliable by
+// their own claim (core/reliability.h) count alike.  (Of a bin alone they would hardly be known.)
 //
 // With v_g what group g moves the film by, squared and summed over bins, (Σ v_g)² / Σ v_g² - 1 (statistics/jackknife.h); for
 // intervals each bin in units of its own variance.  What samples of their own know of a bin has as many as there are samples, so
@@ -38,7 +38,7 @@ class FilmDegrees {
     bins_.moved[group] += weighted;
   }
   void move_bin(std::size_t group, double deviation, double weight) {
-    move(group, deviation * deviation, weight * deviation * deviation);
+    move(group, deviation * deviation, weight > 0 ? weight * deviation * deviation : 0);
   }
 
   void tell(FilmEstimate& film) const {

@@ -1,12 +1,15 @@
 #include "mlt/run/normalization.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "mlt/run/bridge.h"
 #include "mlt/run/film_fit.h"
 #include "mlt/run/unmet_light.h"
 #include "statistics/jackknife.h"
+#include "statistics/squared.h"
 
 namespace wander {
 
@@ -70,7 +73,10 @@ Constant from_bridge(std::span<const GroupFindings> groups) {
   if (std::ranges::none_of(groups, has_states))
     return {.failure = "it needs paths of the seed pass and states of chains"};
   const double unmet = unmet_light(groups);
-  double relative = 0;  // Σ b_k² / n_k: of strata that are known by n_k events each
+  // By what the samples of each group found in all strata, for these are the same samples.
+  std::vector<double> moved(groups.size());
+  double samples = 0;
+  for (const GroupFindings& group : groups) samples += static_cast<double>(group.seeds->samples);
   for (std::size_t k = 0; k < groups.front().states.size(); ++k) {
     std::vector<BridgeGroup> sides;
     double found = 0;
@@ -84,10 +90,12 @@ Constant from_bridge(std::span<const GroupFindings> groups) {
     const BridgeFit fit = bridge(sides, unmet);
     if (!fit.failure.empty()) return {.failure = fit.failure};
     constant.b.value += fit.b;
-    relative += fit.b / fit.effective_samples * fit.b;
+    for (std::size_t g = 0; g < groups.size(); ++g) moved[g] += fit.moved[g];
     for (std::size_t g = 0; g < groups.size(); ++g) constant.without[g] += fit.without[g];
   }
-  if (relative > 0) constant.effective_samples = constant.b.value / relative * constant.b.value;
+  double spread = 0;
+  for (const double of_group : moved) spread += squared(of_group / constant.b.value);
+  constant.effective_samples = spread > 0 ? std::min(1 / spread, samples) : samples;
   // A stratum that one group alone found is dark without it; of a film that one alone found nobody knows the error.
   for (double& b : constant.without)
     if (b == 0) b = std::numeric_limits<double>::quiet_NaN();

@@ -190,8 +190,8 @@ class OfPassive {
     if (!a.extent.meets(b.extent, rounding_) || !overlap(a.face, b.face, rounding_)) return false;
     const Sheet *one = std::get_if<Sheet>(&a.face), *other = std::get_if<Sheet>(&b.face);
     if (one == nullptr || other == nullptr) return true;
-    // Of one mesh nobody knows which of its faces are a body.  Those of two that touch look away from each other, and seldom
-    // share an edge; those of a sheet with two sides, or of a face that was folded as it was split, do.
+    // Of one mesh nobody knows which of its faces are a body.  The triangles of a sheet with two sides, or of a face that was folded
+    // as it was split, look opposite ways and share an edge; so do those of bodies that share a face, but not of others that touch.
     if (a.shape == b.shape)
       return glm::dot(one->normal(), other->normal()) > 0 || share_an_edge(*one, *other);
     const Point normal = one->normal();

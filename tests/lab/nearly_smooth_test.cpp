@@ -45,10 +45,10 @@ Rendering rendering_of(const char* method, double roughness) {
   return render({room(roughness), find_method(method)}, session);
 }
 
-// Light tracing sees half of this film or less: of a hundred thousand connections no lobe below a thousandth of all directions
-// gets a hundred.
+// Light tracing sees half of this film or less: of a hundred thousand connections no lobe below a ten thousandth of all directions
+// gets ten.
 TEST(NearlySmooth, SurfacesMakeNoBinOfLightTracingReliable) {
-  for (const double roughness : {1e-6, 1e-3, 0.03}) {
+  for (const double roughness : {1e-6, 1e-3, 0.009}) {
     const Rendering r = rendering_of("lt", roughness);
     EXPECT_EQ(std::ranges::count(r.film.reliable, true), 0) << roughness;
     ASSERT_FALSE(r.warnings.empty()) << roughness;

@@ -2,8 +2,8 @@
 // in two parts whose chains begin in one of them, and in a room in which the chains of most runs never meet what few samples do (unmet_light.h), and of the light of two and three vertices, of which
 // samples carry all and chains next to nothing (pooled_lengths).
 //
-// The 95 % intervals of b of the first hold it in 0.91 of these runs; where octaves that no chain met are bridged, in 0.76 of 40, and 5 of 24 films were called
-// reliable, none of which held it.
+// Intervals of b ± 1.96 standard errors hold it in 0.91 of these runs of the first; where octaves that no chain met are bridged, in 0.76 of 40, which the
+// bound below would not see, but 5 of 24 films were called reliable, none of which held it.
 // Those of the second hold it in 0.94, those of the two lengths in 0.955 and 0.885; where unmet classes are not told
 // b was held in 0.70 of 100 runs, and where lengths are those of chains alone in 0.67 and 0.63 of 30.  Bounds are passed by
 // chance once in a million where 0.9 hold, and 0.73 is seen nineteen times in twenty.  Control: errors half as large are caught.
