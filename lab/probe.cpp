@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/path_sampler.h"
+#include "core/requirements.h"
 #include "core/rng.h"
 #include "mlt/seeds/nothing_found.h"
 #include "scenes/format/build_scene.h"
@@ -204,7 +205,10 @@ Probe probe_in(const description::Scene& described) {
 }  // namespace
 
 Probe probe(const description::Scene& scene) {
-  return scene.dimension == 2 ? probe_in<Flatland>(scene) : probe_in<Spaceland>(scene);
+  if (scene.dimension == 2) return probe_in<Flatland>(scene);
+  // Of colours that have no channel in common the luminances alone would let light through.
+  return requires_of(scene).colour_channels == 1 ? probe_in<Spaceland>(scene)
+                                                 : probe_in<SpacelandColour>(scene);
 }
 
 }  // namespace wander

@@ -30,10 +30,14 @@ std::string duration_in_words(double seconds) {
   return fmt::format("{:.0f} h {:.0f} min", hours, minutes - 60 * hours);
 }
 
+std::string counted_in_words(std::uint64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count_in_words(static_cast<double>(count)), noun,
+                     count == 1 ? "" : "s");
+}
+
 std::string steps_in_words(std::uint64_t mutations, std::uint64_t samples) {
-  std::string text = count_in_words(static_cast<double>(mutations)) + " mutations";
-  if (samples > 0)
-    text += fmt::format(", {} samples", count_in_words(static_cast<double>(samples)));
+  std::string text = counted_in_words(mutations, "mutation");
+  if (samples > 0) text += ", " + counted_in_words(samples, "sample");
   return text;
 }
 
@@ -44,7 +48,7 @@ std::string work_in_words(const Rendering& rendering) {
   });
   if (has_chains)
     return steps_in_words(rendering.samples, rendering.pooling ? rendering.pooling->samples : 0);
-  return count_in_words(static_cast<double>(rendering.samples)) + " samples";
+  return counted_in_words(rendering.samples, "sample");
 }
 
 std::string percent(double share) {

@@ -1,14 +1,18 @@
 // Numbers as people read them.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "records/rendering.h"
 
 namespace wander {
 
-std::string count_in_words(double count);       // "950", "1.21 M"
+std::string count_in_words(double count);  // "950", "1.21 M"
+// Of things that are called so: "1 chain", "950 chains".
+std::string counted_in_words(std::uint64_t count, std::string_view noun);
 std::string duration_in_words(double seconds);  // "0.35 s", "12 s", "3 min 5 s"
 std::string steps_in_words(std::uint64_t mutations,
                            std::uint64_t samples);  // "3 M mutations, 5 M samples"

@@ -59,9 +59,9 @@ class LengthPmfs {
     return q;
   }
 
-  // Veach's choice, counted in vertices: 1/4 for none, 1/2 for one, then halving.
+  // 1/4 for none, 1/2 for one, then halving, where what can be deleted makes the sum 1.
   static constexpr double deletion_weight(int d) { return d == 0 ? 0.25 : halved(1, d); }
-  // Veach's choice: 1/2 for as many as were deleted, 0.15 for one more or less, then 0.2 / 2^j.
+  // 1/2 for as many as were deleted, 0.15 for one more or less, then 0.2 / 2^j.
   static constexpr double addition_weight(int difference) {
     const int j = difference < 0 ? -difference : difference;
     return j == 0 ? 0.5 : j == 1 ? 0.15 : halved(0.2, j);

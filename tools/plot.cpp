@@ -111,6 +111,10 @@ Figure figure_of(const PlotOptions& options, const Global& global) {
   if (std::optional<Film> film = find_film(file))
     return {"film",
             film->is_image() ? image_svg(*std::move(film), options) : film_svg(*film, options)};
+  if (is_file && std::filesystem::path(file).extension() == ".csv")
+    throw UsageError(file +
+                     " is a table for other programs; a figure is drawn of the folder that it lies "
+                     "in, as `wander plot RUN -o FILE`");
   require_linear(options, "a scene");
   require_no_exposure(options, "a scene");
   return {"scene", scene_svg(options)};

@@ -90,10 +90,10 @@ ExitCode plot_fluence(const PlotOptions& options, const Global& global) {
     write_file(global.out, image(document, grid, picture, global));
   if (!global.quiet)
     print_note(
-        fmt::format("fluence: {} walks of light, {} x {} cells from ({}, {}) to "
+        fmt::format("fluence: {} of light, {} x {} cells from ({}, {}) to "
                     "({}, {}) m, {}{}\n",
-                    count_in_words(static_cast<double>(picture.samples)), grid.columns(),
-                    grid.rows(), number_text(grid.low().x, 6), number_text(grid.low().y, 6),
+                    counted_in_words(picture.samples, "walk"), grid.columns(), grid.rows(),
+                    number_text(grid.low().x, 6), number_text(grid.low().y, 6),
                     number_text(grid.high().x, 6), number_text(grid.high().y, 6),
                     duration_in_words(picture.seconds), picture.complete ? "" : ", interrupted"));
   if (global.json)

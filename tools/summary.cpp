@@ -28,21 +28,27 @@ std::string seeds_in_words(const Rendering& rendering) {
   return fmt::format(", {} runs of seeds between {} and {}", runs.size(), first, last);
 }
 
+// Few enough for all digits.
+std::string counted(int count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 std::string work_line(const Rendering& rendering) {
   if (const std::string origin = origin_of(rendering); !origin.empty())
     return fmt::format("reference: {}\n", origin);
-  std::string line = fmt::format("{}: {} samples", rendering.method,
-                                 count_in_words(static_cast<double>(rendering.samples)));
+  std::string line =
+      fmt::format("{}: {}", rendering.method, counted_in_words(rendering.samples, "sample"));
   if (rendering.seconds > 0) {
     line += fmt::format(" in {} ({}/s)", duration_in_words(rendering.seconds),
                         count_in_words(static_cast<double>(rendering.samples) / rendering.seconds));
     if (rendering.seed_seconds > 0)
       line += fmt::format(", of which seed pass {}", duration_in_words(rendering.seed_seconds));
-    line += fmt::format("; {} thread{}", rendering.threads, rendering.threads == 1 ? "" : "s");
+    line += "; " + counted(rendering.threads, "thread");
   }
   line += seeds_in_words(rendering);
   if (rendering.chains > 0)
-    line += fmt::format("; {} chains in {} groups", rendering.chains, rendering.groups);
+    line += fmt::format("; {} in {}", counted(rendering.chains, "chain"),
+                        counted(rendering.groups, "group"));
   if (rendering.complete) return line + "\n";
   return fmt::format("{}; INCOMPLETE, {} was interrupted\n", line,
                      rendering.merged.empty() ? "it" : "a part of it");

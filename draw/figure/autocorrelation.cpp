@@ -99,7 +99,8 @@ void draw_curve(Svg& svg, const std::vector<double>& rho, const LinearScale& x,
 }
 
 std::string title(const Curves& curves) {
-  if (!std::isfinite(curves.time)) return std::string(curves.name);
+  // Chains that stay where they began tell their record's length at most.
+  if (curves.chains.empty() || !std::isfinite(curves.time)) return std::string(curves.name);
   return fmt::format("{}, τ {}", curves.name, number_text(curves.time));
 }
 
@@ -178,8 +179,8 @@ Block autocorrelation_chart(const Steps& steps, double width) {
   const std::size_t columns = width_of(all.size()) >= least_panel_width ? all.size() : 1;
   const double row_height = header + panel_height + bottom_axis_height;
   return {
-      fmt::format("Autocorrelation, {}; thin: each chain about its own mean, thick: all together, "
-                  "of which τ is the integrated time, in steps",
+      fmt::format("Autocorrelation, {}; thin: each chain about its own mean, thick: the halves of "
+                  "all chains together, of which τ is the integrated time, in steps",
                   in_words(steps)),
       row_height * static_cast<double>(all.size() / columns), [=](Svg& svg, Vector top_left) {
         const double across = width_of(columns);

@@ -220,7 +220,7 @@ Layout lay_out(const Chart& chart, const std::vector<LegendEntry>& entries, doub
   Layout layout;
   const int ticks = std::max(3, static_cast<int>(chart.panel_height / points_per_tick));
   const ChartAxis y = chart_axis(chart.y, y_range(chart), {chart.panel_height, 0}, ticks);
-  layout.left = left_axis_gap + y.axis.label_width();
+  layout.left = left_axis_gap + std::max(y.axis.label_width(), chart.label_room);
   const ChartAxis x = horizontal_axis(chart, {layout.left, width - right_room});
   layout.first_top = guides_height(chart, x);
   const double top = header_of(chart);

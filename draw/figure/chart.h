@@ -64,6 +64,7 @@ struct Chart {
   std::vector<ChartPanel> panels{};
   std::vector<Guide> guides{};  // vertical, through all panels
   double panel_height = 170;
+  double label_room = 0;  // for y's labels at least, so that charts one below the other are in line
 };
 
 Block chart_block(Chart chart, double width);

@@ -146,8 +146,10 @@ Block coordinate_trace(const Steps& steps, double width, int most_chains) {
                      {draws, y.scale, top + panel_height + rug_gap + rug_height});
           top += row_height;
         }
-        const Axis x = make_axis({"step of the chain", ""}, steps_range(steps), page,
-                                 static_cast<int>(page.width() / points_per_tick));
+        const Range range = steps_range(steps);
+        const double most_ticks = std::min(page.width() / points_per_tick, range.width() + 1);
+        const Axis x =
+            make_axis({"step of the chain", ""}, range, page, static_cast<int>(most_ticks));
         draw_bottom_axis(svg, x, top - panel_gap + 2);
         draw_bottom_title(svg, x, top - panel_gap + 2);
       }};

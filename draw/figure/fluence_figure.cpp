@@ -36,8 +36,8 @@ Block legend_block(const description::Scene& scene, double width) {
 std::string fluence_figure(const description::Scene& scene, const PlaneGrid& grid,
                            const Rendering& picture, const std::string& title, double page_width) {
   const double width = block_width(page_width);
-  const std::string text = fmt::format("fluence of {}: {} walks of light", scene.name,
-                                       count_in_words(static_cast<double>(picture.samples)));
+  const std::string text = fmt::format("fluence of {}: {} of light", scene.name,
+                                       counted_in_words(picture.samples, "walk"));
   const Block light = picture_block(
       {scene, grid, picture.film.value, {"fluence", "W/m"}, light_colours(), Ground::dark}, width,
       most_height);

@@ -24,6 +24,7 @@ namespace wander::figure {
 namespace {
 
 constexpr double bins_height = 150, shares_height = 80;
+constexpr double label_room = 26;
 constexpr const char *samples = "samples", *chains = "chains";
 
 const PoolingRecord& pooling_of(const Rendering& run) { return run.pooling.value(); }
@@ -71,12 +72,12 @@ std::vector<Block> class_bars(const Rendering& run, double width) {
   }
   if (bars.empty()) return {};
   const std::size_t left_out = pooling_of(run).classes.size() - bars.size();
-  return {share_bars(left_out == 0
-                         ? "Who carries the light of each class of path"
-                         : fmt::format("Who carries the light of the brightest classes of "
-                                       "path ({} more are not shown)",
-                                       left_out),
-                     std::move(bars), sides(), width)};
+  return {share_bars(
+      left_out == 0 ? "Who carries the light of each class of path, by the states of the chains"
+                    : fmt::format("Who carries the light of the brightest classes of path, by the "
+                                  "states of the chains ({} more are not shown)",
+                                  left_out),
+      std::move(bars), sides(), width)};
 }
 
 // ---- of bins
@@ -105,7 +106,8 @@ Block film_chart(std::span<const Bar> all, std::span<const Bar> of_samples, cons
                       .y = {axes.value, Spacing::linear, Range{0, most > 0 ? 1.05 * most : 1}},
                       .panels = {panel},
                       .guides = {},
-                      .panel_height = bins_height},
+                      .panel_height = bins_height,
+                      .label_room = label_room},
                      width);
 }
 
@@ -120,7 +122,8 @@ Block share_chart(std::span<const Bar> all, std::span<const Bar> of_samples, con
                       .y = {{"share of chains", ""}, Spacing::linear, Range{0, 1}},
                       .panels = {panel},
                       .guides = {},
-                      .panel_height = shares_height},
+                      .panel_height = shares_height,
+                      .label_room = label_room},
                      width);
 }
 

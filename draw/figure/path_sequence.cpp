@@ -56,8 +56,8 @@ struct Grid {
 
 Grid grid_for(std::size_t frames, const Extent& extent, double width) {
   const int fit =
-      std::clamp(static_cast<int>((width + gap) / (least_column + gap)), 2, most_columns);
-  const int columns = std::clamp(static_cast<int>(frames), 2, fit);
+      std::clamp(static_cast<int>((width + gap) / (least_column + gap)), 1, most_columns);
+  const int columns = std::clamp(static_cast<int>(frames), std::min(2, fit), fit);
   const double across = (width - (columns - 1) * gap) / columns;
   const double aspect = std::min(extent.size().y / extent.size().x, most_aspect);
   return {static_cast<std::size_t>(columns),

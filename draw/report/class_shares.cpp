@@ -55,6 +55,19 @@ Shares folded(const Shares& shares, const std::vector<std::string>& classes) {
   return result;
 }
 
+std::string what_steps_tell_of_light(const Subject& subject) {
+  const std::string of_mlt =
+      subject.is_image()
+          ? "For mlt these are no shares of the light unless its target is light: by default its "
+            "chains come to all pixels alike, however dark, so classes that dim pixels show have "
+            "more steps than light."
+          : "For mlt, whose chains visit paths in proportion to f, this is the class's share of "
+            "the "
+            "light, as far as its chains know it.";
+  return of_mlt +
+         " pssmlt and mmlt weigh classes by what their samples and lengths hold, so theirs differ.";
+}
+
 void write_bars(Html& html, const Subject& subject, const std::vector<std::size_t>& contenders,
                 const std::vector<Shares>& all, const std::vector<std::string>& classes) {
   std::vector<figure::Part> parts;
@@ -78,9 +91,8 @@ void write_bars(Html& html, const Subject& subject, const std::vector<std::size_
             {figure::share_bars("", std::move(bars), parts, figure::block_width(figure_width))}),
         "The share of the mutations of each contender that were proposed while its chains "
         "were at a path of the class. L is the light, D a surface that scatters, S one that "
-        "reflects or refracts as a mirror does, E the sensor. For mlt, whose chains visit "
-        "paths in proportion to f, this is the class's share of the light; pssmlt and mmlt "
-        "weigh classes by what their samples and lengths hold, so theirs differ.");
+        "reflects or refracts as a mirror does, E the sensor. " +
+            what_steps_tell_of_light(subject));
   }
 }
 

@@ -1,7 +1,6 @@
 #include "draw/report/energy.h"
 
 #include <cmath>
-#include <numeric>
 #include <set>
 
 #include "core/film_statistics.h"
@@ -13,8 +12,7 @@ namespace {
 double mean_light(const FilmEstimate& film, int vertices) {
   const auto found = film.by_length.find(vertices);
   if (found == film.by_length.end() || found->second.empty()) return 0;
-  return std::accumulate(found->second.begin(), found->second.end(), 0.0) /
-         static_cast<double>(found->second.size());
+  return mean_value({.shape = film.shape, .value = found->second});
 }
 
 compare::Measured mean_of(const std::vector<double>& values) {

@@ -53,8 +53,9 @@ void write_chart(Html& html, const Subject& subject, const Energies& energies) {
            .panels = {std::move(panel)}},
           "Light by path length",
           "For each contender the mean of the film that paths of each length make."),
-      "The mean over the film of the light of paths with so many vertices, over all replicates at "
-      "the last budget; bars are 95 % intervals, and contenders stand side by side so that bars do "
+      "The mean over the film of the light of paths with so many vertices, in colour of its "
+      "luminance, over all replicates at the last budget: the lengths sum to b. Bars are 95 % "
+      "intervals, and contenders stand side by side so that bars do "
       "not hide one another. Contenders that are right agree at every length; one that is low at a "
       "length misses paths of it.");
 }
@@ -104,8 +105,8 @@ void write_lengths(Html& html, const Subject& subject, const Energies& energies)
   std::vector<std::string> names;
   for (const int vertices : lengths) names.push_back(fmt::format("{}", vertices));
   Table table = named_rows(
-      "Mean over the film, by the number of vertices of the paths; 95 % intervals over "
-      "replicates.",
+      "Mean over the film, in colour of its luminance, by the number of vertices of the paths; "
+      "95 % intervals over replicates.",
       "vertices", names);
   for (std::size_t k = 0; k < energies.size(); ++k) {
     std::vector<std::string> cells;

@@ -124,14 +124,18 @@ void write_profile(Html& html, const Subject& subject) {
   html.element("h3", fmt::format("Time to a relative error of {}", percent(target)));
   write_figure(
       html, profile_figure(subject.comparison),
-      fmt::format("The share of replicates whose error has come down to {} within a time: "
-                  "farther left is faster, and a steep rise means that seeds agree. What the "
-                  "shortest run of a contender has already reached stands at its time, and may "
-                  "have been there earlier. Dotted, with "
-                  "open marks, is what is extrapolated beyond the longest run of a contender, up "
-                  "to {} times that run. A curve that stays below 100 % belongs to a contender of "
-                  "which some replicates do not come there.",
-                  percent(target), compare::farthest));
+      fmt::format(
+          "The share of replicates whose error has come down to {} within a time: "
+          "farther left is faster, and a steep rise means that seeds agree. What the "
+          "shortest run of a contender has already reached stands at its time, and may "
+          "have been there earlier. Where errors fall as the inverse root of time (the slope "
+          "does not differ from −1/2), the time of a replicate is that of this law through "
+          "all of its films, elsewhere it is interpolated between them; so a film near the "
+          "target may lie on its other side. Dotted, with "
+          "open marks, is what is extrapolated beyond the longest run of a contender, up "
+          "to {} times that run. A curve that stays below 100 % belongs to a contender of "
+          "which some replicates do not come there.",
+          percent(target), compare::farthest));
 }
 
 struct CellColumn {

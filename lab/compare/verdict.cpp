@@ -43,7 +43,9 @@ Measured inverse(const Measured& ratio) {
 }
 
 // The budgets are samples, and equal samples are not equal time.
-bool counts_samples(const std::string& budget) { return !budget.ends_with('s'); }
+bool counts_samples(const std::string& budget) {
+  return !budget.ends_with('s') && !budget.ends_with("min") && !budget.ends_with('h');
+}
 
 class Words {
  public:

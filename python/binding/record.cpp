@@ -13,6 +13,7 @@
 #include "draw/figure/film_figure.h"
 #include "draw/figure/image_figure.h"
 #include "draw/figure/parts_figure.h"
+#include "lab/checkpoint.h"
 #include "lab/failure.h"
 #include "lab/scene_source.h"
 #include "python/binding/arrays.h"
@@ -161,6 +162,13 @@ void write_record(const BoundRecord& record, const std::string& directory, bool 
   write_run(*record.run, is_row ? scene_of(record) : description::Scene{}, output.path(), exposure);
 }
 
+// A record that nothing can carry on; a checkpoint that lay there is of another film.
+void write_finished(const BoundRecord& record, const std::string& directory, bool replaces,
+                    double exposure) {
+  write_record(record, directory, replaces, exposure);
+  remove_file(checkpoint_in(directory));
+}
+
 void bind_record(nb::module_& module) {
   bind_film(module);
   nb::class_<BoundRecord>(module, "Record", "What a run computed, and what made it.")
@@ -173,7 +181,8 @@ void bind_record(nb::module_& module) {
                    "What of a pooled film samples carry.")
       .def_prop_ro("summary", [](const BoundRecord& r) { return summary_of(r.run->rendering); })
       .def("figure", &figure_of, nb::arg("width").none(), "An SVG document.")
-      .def("write", &write_record, nb::arg("directory"), nb::arg("overwrite"), nb::arg("exposure"));
+      .def("write", &write_finished, nb::arg("directory"), nb::arg("overwrite"),
+           nb::arg("exposure"));
 }
 
 }  // namespace wander::python

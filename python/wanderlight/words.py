@@ -33,13 +33,18 @@ def budget_text(budget: Budget) -> str:
     return str(int(budget)) if budget == int(budget) else str(budget)
 
 
+def _number_text(value: Any) -> str:
+    """A number of NumPy has the digits of Python's."""
+    return repr(value.item() if hasattr(value, "item") else value)
+
+
 def setting_text(value: Setting) -> str:
     """The value of a dial as its option takes it."""
     if value is True:
         return "on"
     if isinstance(value, Mapping):
-        return ",".join(f"{name}={weight!r}" for name, weight in value.items())
-    return value if isinstance(value, str) else repr(value)
+        return ",".join(f"{name}={_number_text(weight)}" for name, weight in value.items())
+    return value if isinstance(value, str) else _number_text(value)
 
 
 def setting_texts(settings: Mapping[str, Setting]) -> dict[str, str]:

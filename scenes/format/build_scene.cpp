@@ -175,6 +175,7 @@ template std::unique_ptr<const Scene<Spaceland>> build_scene(const description::
 template std::unique_ptr<const Scene<SpacelandColour>> build_scene(const description::Scene&);
 template std::vector<std::size_t> shapes_named<Flatland>(const description::Scene&);
 template std::vector<std::size_t> shapes_named<Spaceland>(const description::Scene&);
+template std::vector<std::size_t> shapes_named<SpacelandColour>(const description::Scene&);
 template Material<Flatland> build_material<Flatland>(const description::MaterialKind&);
 template Material<FlatlandSingle> build_material<FlatlandSingle>(const description::MaterialKind&);
 template Material<Spaceland> build_material<Spaceland>(const description::MaterialKind&);

@@ -97,7 +97,9 @@ Colour of_spectrum(const XmlElement& element, Light light, const ImportContext& 
     context.diagnosis.inexact(element, "a spectrum over wavelengths", "its colour");
     return colour_of(*spectrum, light);
   }
-  if (const auto value = number_in(text); value && light == Light::emitted) {
+  // The white of version 0.x is that of the screen, D65.
+  const bool is_tinted = light == Light::emitted && !context.is_old();
+  if (const auto value = number_in(text); value && is_tinted) {
     Colour colour = equal_energy();
     for (double& channel : colour) channel *= *value;
     return colour;

@@ -10,7 +10,8 @@ namespace wander {
 
 using Colour = std::array<double, 3>;
 
-enum class Light { reflected, emitted };
+// Unbounded: of what light meets, as reflected, but a number that may be above 1, such as an index of refraction.
+enum class Light { reflected, emitted, unbounded };
 
 // Of <rgb>, <srgb>, <spectrum>, <float>, and of a <texture> its mean; black, with a fault, if it is
 // none of them.

@@ -84,7 +84,7 @@ class BsdfReader {
   std::optional<MetalConstants> constants_of(Plugin& bsdf) const {
     const std::string name = bsdf.text("material", context_.is_old() ? "Cu" : "none");
     if (bsdf.has("eta") || bsdf.has("k")) {
-      const MetalConstants given{bsdf.radiance("eta", 0), bsdf.radiance("k", 1)};
+      const MetalConstants given{bsdf.refraction("eta", 0), bsdf.refraction("k", 1)};
       if (std::ranges::all_of(given.eta, [](double eta) { return eta == 0; })) return {};
       return given;
     }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "scenes/format/json_text.h"
 #include "scenes/format/scene_file_nearest.h"
@@ -102,23 +103,27 @@ glm::dmat4 Plugin::transform(std::string_view name) {
                       context_.diagnosis);
 }
 
-Colour Plugin::reflectance(std::string_view name, double otherwise) {
+Colour Plugin::colour(std::string_view name, double otherwise, Light light, double most) {
   const XmlElement* value = take(name, {"rgb", "srgb", "spectrum", "float", "texture", "ref"});
   if (value == nullptr) return {otherwise, otherwise, otherwise};
-  const Colour colour = colour_of(*value, Light::reflected, context_);
-  if (std::ranges::any_of(colour, [](double channel) { return channel < 0 || channel > 1; }))
-    refuse(*value,
-           fmt::format("{} is ({}); a reflectance is from 0 to 1", name, fmt::join(colour, ", ")));
+  const Colour colour = colour_of(*value, light, context_);
+  if (std::ranges::any_of(colour, [&](double x) { return x < 0 || x > most; }))
+    refuse(*value, fmt::format("{} is ({}); {}", name, fmt::join(colour, ", "),
+                               light == Light::reflected ? "a reflectance is from 0 to 1"
+                                                         : "it is not below 0"));
   return colour;
 }
 
+Colour Plugin::reflectance(std::string_view name, double otherwise) {
+  return colour(name, otherwise, Light::reflected, 1);
+}
+
 Colour Plugin::radiance(std::string_view name, double otherwise) {
-  const XmlElement* value = take(name, {"rgb", "srgb", "spectrum", "float", "texture", "ref"});
-  if (value == nullptr) return {otherwise, otherwise, otherwise};
-  const Colour colour = colour_of(*value, Light::emitted, context_);
-  if (std::ranges::any_of(colour, [](double channel) { return channel < 0; }))
-    refuse(*value, fmt::format("{} is ({}); it is not below 0", name, fmt::join(colour, ", ")));
-  return colour;
+  return colour(name, otherwise, Light::emitted, std::numeric_limits<double>::infinity());
+}
+
+Colour Plugin::refraction(std::string_view name, double otherwise) {
+  return colour(name, otherwise, Light::unbounded, std::numeric_limits<double>::infinity());
 }
 
 bool Plugin::is_of_tag(const XmlElement& child, std::string_view tag) const {

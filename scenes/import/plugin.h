@@ -39,9 +39,10 @@ class Plugin {
   std::string text(std::string_view name, std::string_view otherwise);
   glm::dvec3 point(std::string_view name, glm::dvec3 otherwise);
   glm::dmat4 transform(std::string_view name);
-  // Reflectances are from 0 to 1 in every channel, radiances are not below 0.
+  // Reflectances are from 0 to 1 in every channel, radiances and indices of refraction are not below 0.
   Colour reflectance(std::string_view name, double otherwise);
   Colour radiance(std::string_view name, double otherwise);
+  Colour refraction(std::string_view name, double otherwise);
 
   // Objects in it, and those that it refers to: of this tag, in their order.
   std::vector<const XmlElement*> objects(std::string_view tag);
@@ -53,6 +54,7 @@ class Plugin {
 
  private:
   const XmlElement* take(std::string_view name, std::initializer_list<std::string_view> tags);
+  Colour colour(std::string_view name, double otherwise, Light light, double most);
   void refuse(const XmlElement& value, std::string_view what) const;
 
   const XmlElement& element_;

@@ -172,6 +172,11 @@ class ShapeReader {
   void file_mesh(Plugin& shape) {
     const bool flat = shape.flag("face_normals", false);
     upside_down_ = shape.flag("flip_tex_coords", shape.type() == "obj");
+    if (shape.has("shape_index"))
+      diagnosis().inexact(shape.where("shape_index"), "one mesh of several", "all of the file");
+    if (shape.has("max_smooth_angle"))
+      diagnosis().inexact(shape.where("max_smooth_angle"), "normals that end at sharp edges",
+                          "those of the file");
     shape.ignore(
         {"flip_uvs", "max_smooth_angle", "collapse", "shape_index", "srgb", "load_materials"});
     const std::string name = shape.text("filename", "");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wander {
 
@@ -76,9 +77,10 @@ Colour colour_of(const Spectrum& spectrum, Light light) {
   } else {
     result = seen([&](int x) { return daylight_at(x) * value_at(spectrum, x); });
     const Colour white = seen(daylight_at);
-    for (std::size_t i = 0; i < 3; ++i) result[i] = std::min(result[i] / white[i], 1.0);
+    for (std::size_t i = 0; i < 3; ++i) result[i] /= white[i];
   }
-  for (double& channel : result) channel = std::max(channel, 0.0);
+  const double most = light == Light::reflected ? 1 : std::numeric_limits<double>::infinity();
+  for (double& channel : result) channel = std::clamp(channel, 0.0, most);
   return result;
 }
 

@@ -229,6 +229,17 @@ class Loader {
     }
   }
 
+  // Values that hold others may double with each.
+  bool fits(const std::string& value, const XmlPlace& place) {
+    if (put_in_ > largest_file) return false;
+    put_in_ += value.size();
+    if (put_in_ <= largest_file) return true;
+    diagnosis_.fault(place, fmt::format("the scene is too large with the values of its parameters; "
+                                        "they may have {} MiB",
+                                        largest_file >> 20));
+    return false;
+  }
+
   // The longest known name after a $ is meant: $width_2 is not $width.
   std::string replaced(std::string_view text, const XmlPlace& place) {
     std::string result;
@@ -249,7 +260,9 @@ class Loader {
         return result;
       }
       used_.insert(name);
-      result += values_.find(name)->second;
+      const std::string& value = values_.find(name)->second;
+      if (!fits(value, place)) return {};
+      result += value;
       i += 1 + name.size();
     }
     return result;
@@ -263,6 +276,7 @@ class Loader {
   std::vector<std::string> declared_;
   std::vector<fs::path> open_;
   std::size_t included_ = 0, elements_ = 0;
+  std::uintmax_t put_in_ = 0;  // characters, for parameters
   Document* document_ = nullptr;
   Places* places_ = nullptr;
 };

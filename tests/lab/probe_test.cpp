@@ -121,5 +121,24 @@ TEST(Probe, WalksThroughSpaceAsWell) {
   EXPECT_NE(places_of(of(one + other)), "");
 }
 
+// Each has a luminance; of yellow paint under a blue lamp nothing is seen.
+TEST(Probe, FindsNoLightOfColoursThatHaveNoChannelInCommon) {
+  const auto of = [](const char* paint) {
+    return probe(parse_scene(fmt::format(R"({{
+      "format": "wanderlight-scene/1", "dimension": 3, "max_vertices": 3,
+      "materials": {{ "paint": {{ "type": "diffuse", "reflectance": {} }} }},
+      "shapes": [
+        {{ "type": "parallelogram", "origin": [0,0,0], "edges": [[0,0,1],[1,0,0]], "material": "paint" }},
+        {{ "type": "sphere", "center": [0.5,1,0.5], "radius": 0.2, "light": {{ "radiance": [0,0,3] }} }} ],
+      "camera": {{ "type": "perspective", "position": [0.5,0.4,3], "target": [0.5,0.3,0],
+                   "fov_deg": 30, "resolution": [3, 2] }} }})",
+                                         paint),
+                             "blue.json")
+                     .scene);
+  };
+  EXPECT_EQ(of("[1, 1, 0]").samples_with_light, 0u);
+  EXPECT_GT(of("[0, 0, 0.01]").samples_with_light, 0u);
+}
+
 }  // namespace
 }  // namespace wander

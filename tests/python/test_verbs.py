@@ -136,6 +136,21 @@ def test_what_renders_refuse(tmp_path):
     assert wl.open_run(tmp_path / "run").samples == 2000
 
 
+def test_what_is_saved_over_a_run_is_not_carried_on_as_that_run(tmp_path):
+    for seed in (1, 2):
+        wl.render("gallery:furnace", "bdpt", 1000, seed=seed).save(tmp_path / f"run{seed}")
+    assert (tmp_path / "run1" / "checkpoint").exists()
+    both = wl.merge([tmp_path / f"run{k}" for k in (1, 2)])
+    both.save(tmp_path / "run1", overwrite=True)
+    assert not (tmp_path / "run1" / "checkpoint").exists()
+    assert wl.open_run(tmp_path / "run1").samples == 2000
+
+
+def test_numbers_of_numpy_are_numbers(tmp_path):
+    found = wl.render("gallery:slit", "pssmlt", 1000, large_step=np.float64(0.25))
+    assert "--large-step 0.25" in found.record["command_line"]
+
+
 @pytest.mark.parametrize(
     "ask, said",
     [

@@ -114,6 +114,11 @@ class Figure(unittest.TestCase):
             return drawn.count('stroke-width="0.6"')
         self.assertEqual(bars(0.05, 0.3) - bars(math.nan, math.nan), 2)
 
+    def test_letters_stay_apart_and_above_the_axis(self):
+        self.assertEqual(error_figure.apart([10, 81], 6, 84), [10, 81])
+        self.assertEqual(error_figure.apart([50, 52], 6, 84), [48, 54])
+        self.assertEqual(error_figure.apart([10, 80, 82, 82], 6, 84), [10, 72, 78, 84])
+
 
 class Plan(unittest.TestCase):
     def test_settings_with_commas_are_parted_by_semicolons(self):

@@ -1,4 +1,5 @@
 // What is doubtful of a figure of several films, or of a reference, and which steps of a trajectory it shows.
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -45,6 +46,13 @@ TEST_F(PlotDoubts, AreThoseOfAReferenceForTheSecondOfTwoImages) {
   put("other", image_run(24, 16, 3, 2));
   EXPECT_HAS(wander("plot one same -o f.svg").err, one_seed);
   EXPECT_LACKS(wander("plot one other --force -o f.svg").err, one_seed);
+}
+
+TEST_F(PlotDoubts, SayWhatIsDrawnInsteadOfATable) {
+  std::ofstream(folder / "film.csv") << "bin,value\n0,1\n";
+  const Outcome table = wander("plot film.csv -o f.svg");
+  EXPECT_EQ(table.exit_code, 2);
+  EXPECT_HAS(table.err, "film.csv is a table for other programs");
 }
 
 TEST_F(PlotDoubts, LookAtAllSeedsOfAMergedRun) {

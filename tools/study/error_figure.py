@@ -54,14 +54,14 @@ class LogPanel:
             self.svg.line([(x, self.to_y(low)), (x, self.to_y(error.high))], stroke=colour, stroke_width=0.6)
 
     def letters(self, ends):
-        """At the ends of the curves, (method, x, y), moved as little as keeps them apart."""
+        """At the ends of the curves, (method, x, y), moved as little as keeps them apart and above the axis."""
         ends = sorted(ends, key=lambda end: end[2])
-        for (method, x, _), y in zip(ends, apart([y for _, _, y in ends], 6)):
+        for (method, x, _), y in zip(ends, apart([y for _, _, y in ends], 6, self.y + PANEL_HEIGHT - 3)):
             self.svg.text(x + 2, y + 2, LETTERS[method], font_size=6, fill=STROKES[method][0], font_weight="bold")
 
 
-def apart(positions, least):
-    """The nearest positions by squares that are so far apart: isotonic regression of y_k - k least."""
+def apart(positions, least, most):
+    """The nearest positions by squares, no larger than `most`, that are so far apart: isotonic regression of y_k - k least."""
     blocks = []  # (sum, count)
     for k, y in enumerate(positions):
         blocks.append((y - k * least, 1))
@@ -69,7 +69,8 @@ def apart(positions, least):
             total, count = blocks.pop()
             blocks[-1] = (blocks[-1][0] + total, blocks[-1][1] + count)
     level = [total / count for total, count in blocks for _ in range(count)]
-    return [y + k * least for k, y in enumerate(level)]
+    largest = most - (len(level) - 1) * least
+    return [min(y, largest) + k * least for k, y in enumerate(level)]
 
 
 def decades(ends):

@@ -202,6 +202,7 @@ TEST(PathSequence, ARowIsAsHighAsItsCaptions) {
   EXPECT_EQ(count(column, "class=\"zoom\""), 1u);
   EXPECT_EQ(count(column, "…"), 0u);
   EXPECT_EQ(count(column, ">bidirectional<"), 1u);  // on a line of its own beside the enlarged part
+  EXPECT_EQ(count(drawn(1e-4, 170), "…"), 0u) << "of the narrowest page";
 }
 
 TEST(PathSequence, ShowsTheChosenStepsAlone) {
@@ -278,6 +279,29 @@ TEST(Autocorrelation, OfWhatDoesNotMoveIsEmpty) {
   EXPECT_TRUE(autocorrelation(std::vector<double>{1, nan, 2}, 1).empty());
   EXPECT_TRUE(autocorrelation({}, 1).empty());
   EXPECT_EQ(autocorrelation(std::vector<double>{1, -1, 1, -1}, 1), (std::vector<double>{1, -0.75}));
+}
+
+// Chains that never move and lie apart have a ρ of 1 at all lags, and a τ that is but the length of their record.
+TEST(Autocorrelation, OfChainsThatStayHasNoTime) {
+  Trajectory t = recorded(2, 60);
+  for (std::size_t i = 0; i < t.size(); ++i) {
+    t.state.film[i] = t.log_f[i] = i < 60 ? 0.25 : 0.75;
+    t.state.vertices[i] = i < 60 ? 3 : 4;
+  }
+  const std::string svg = TrajectoryPage(t, room(), {}, "room").autocorrelation();
+  EXPECT_EQ(count(svg, "changes in no chain"), 3u);
+  EXPECT_EQ(count(svg, ", τ "), 0u);
+  EXPECT_GT(count(TrajectoryPage(recorded(2, 60), room(), {}, "room").autocorrelation(), ", τ "),
+            0u);
+}
+
+TEST(CoordinateTrace, CountsWholeSteps) {
+  for (const int draws : {1, 2, 3}) {
+    const std::string svg = TrajectoryPage(recorded(1, draws), room(), {}, "room").trace();
+    EXPECT_EQ(count(svg, ">0.5<") + count(svg, ">1.5<") + count(svg, ">2.5<") + count(svg, ">0.2<"),
+              0u)
+        << draws;
+  }
 }
 
 TEST(PathDensity, HoldsTheMeanLengthOfThePaths) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/film_statistics.h"
 #include "core/rng.h"
 #include "draw/report/energy.h"
 #include "draw/report/numbers.h"
@@ -91,6 +92,15 @@ TEST(EnergyByLength, IsTheMeanOverBinsAndReplicatesWithItsTInterval) {
   EXPECT_NEAR(energy.at(2).interval.high, 3 + 12.706, 1e-3);
   EXPECT_DOUBLE_EQ(energy.at(3).value, 2) << "a run that misses a length has none of its light";
   EXPECT_TRUE(std::isnan(energy_by_length({&runs[0]}).at(2).interval.low));
+}
+
+// So that the lengths of an image in colour sum to b.
+TEST(EnergyByLength, IsOfTheLuminanceInColour) {
+  std::vector<compare::Run> runs(1);
+  FilmEstimate& film = runs[0].film;
+  film = {.shape = {1, 2, 3}, .value = {1, 2, 3, 4, 5, 6}, .by_length = {{2, {1, 2, 3, 4, 5, 6}}}};
+  EXPECT_DOUBLE_EQ(energy_by_length({&runs[0]}).at(2).value, mean_value(film));
+  EXPECT_NEAR(mean_value(film), 2.5 * 0.2126 + 3.5 * 0.7152 + 4.5 * 0.0722, 1e-12);
 }
 
 TEST(ReportNumbers, HaveFewDigitsAndNoWordsForWhatIsNoNumber) {

@@ -159,6 +159,17 @@ TEST(Verdict, AtEqualSamplesTheEfficiencyIsGivenToo) {
   EXPECT_SAYS(c.verdict, ": at equal time b is ahead: the efficiency of b is ");
 }
 
+TEST(Verdict, KnowsBudgetsOfTimeByTheirUnit) {
+  Generator random(11);
+  for (const char* unit : {"s", "cpu-s", "min", "cpu-min", "h"}) {
+    Runs runs = made_runs({}, two, random);
+    for (std::size_t k = 0; k < runs.budgets.size(); ++k)
+      runs.budgets[k] = std::to_string(k + 1) + unit;
+    for (const std::string& sentence : summarize(runs).verdict)
+      EXPECT_EQ(sentence.find("equal samples"), std::string::npos) << sentence;
+  }
+}
+
 TEST(Verdict, WithoutARunClaimsNoChance) {
   Generator random(11);
   Runs runs = made_runs({}, two, random);

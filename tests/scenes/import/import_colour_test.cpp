@@ -134,5 +134,14 @@ TEST_F(ImportedColours, OfLightsOfEqualEnergyAreAReddishWhite) {
   EXPECT_EQ(radiance("1,2,3"), Json({1, 2, 3}));
 }
 
+// Of version 0.6 one value is as much of D65, which is white.
+TEST_F(ImportedColours, OfOldLightsAreWhite) {
+  const Json old = exact(
+      "<scene version='0.6.0'><shape type='sphere'><emitter type='area'><spectrum "
+      "name='radiance' value='2'/></emitter></shape>" +
+      lamp_and_camera + "</scene>");
+  EXPECT_EQ(old["shapes"][0]["light"]["radiance"], 2.0);
+}
+
 }  // namespace
 }  // namespace wander::test

@@ -106,6 +106,21 @@ TEST_F(ImportedBsdfs, OfMetalsHaveTheirIndexOfRefraction) {
             parsed(R"({"type": "rough_conductor", "roughness": 0.3, "eta": 0.5, "k": 2.0})"));
 }
 
+// Numbers of matter are no light: one value is the same in all channels, and what may be above 1 is not cut (0.1998 and 3.996
+// of Mitsuba 3.9).
+TEST_F(ImportedBsdfs, OfMetalsHaveSpectraOfMatter) {
+  const Json grey = exactly(
+      "<bsdf type='conductor'><spectrum name='eta' value='0.2'/><spectrum name='k' "
+      "value='4'/></bsdf>");
+  EXPECT_EQ(grey, parsed(R"({"type": "conductor", "eta": 0.2, "k": 4.0})"));
+  const Json listed = nearly(
+      "<bsdf type='conductor'><spectrum name='eta' value='300:0.2, 900:0.2'/><spectrum name='k' "
+      "value='300:4, 900:4'/></bsdf>",
+      "a spectrum over wavelengths");
+  expect_near(listed["eta"], {0.2, 0.2, 0.2}, 1e-3);
+  expect_near(listed["k"], {4, 4, 4}, 0.02);
+}
+
 // A tint has no place beside eta and k: the reflectance is then that along the normal.
 TEST_F(ImportedBsdfs, OfTintedMetalsHaveTheirReflectanceAlongTheNormal) {
   const Json gold = nearly(

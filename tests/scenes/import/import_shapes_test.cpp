@@ -270,6 +270,16 @@ TEST_F(ImportedShapesOf, MeshesWithoutNormalsHaveThoseThatMitsubaComputes) {
   expect_normal(even[0], {0, std::sqrt(0.5), std::sqrt(0.5)});
 }
 
+TEST_F(ImportedShapesOf, PartsOfAFileAreToldToBeAllOfIt) {
+  write("two.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no a\nf 1 2 3\no b\nf 1 2 4\n");
+  const auto mesh = [](const std::string& member) {
+    return scene_of("<shape type='obj'><string name='filename' value='two.obj'/>" + member +
+                    "</shape>");
+  };
+  approximate(mesh("<integer name='shapeIndex' value='1'/>"), "one mesh of several");
+  approximate(mesh("<float name='maxSmoothAngle' value='30'/>"), "normals that end at sharp edges");
+}
+
 TEST_F(ImportedShapesOf, LampsShineFromTheirFront) {
   const Json lamp =
       exact(scene_of("<shape type='cube' id='lamp 2'><emitter type='area'><rgb "

@@ -30,6 +30,15 @@ TEST_F(ImportedXml, HasParametersWithDefaults) {
             "1.0");
 }
 
+// Each doubles the one before: a kilobyte would be gigabytes.
+TEST_F(ImportedXml, ValuesThatGrowWithEachParameterEndSomewhere) {
+  std::string xml = "<default name='a0' value='1111111111'/>";
+  for (int k = 1; k < 40; ++k)
+    xml += fmt::format("<default name='a{}' value='$a{}$a{}'/>", k, k - 1, k - 1);
+  EXPECT_NE(refused(scene_of(xml + ball("1"))).find("too large with the values of its parameters"),
+            std::string::npos);
+}
+
 TEST_F(ImportedXml, WithoutAValueForAParameterSaysHowToGiveIt) {
   EXPECT_SAYS(said(scene_of(ball("$r"))), "say -D r=VALUE");
   try {
