@@ -69,13 +69,6 @@ TEST(SpaceReport, ShowsEveryContenderBesideTheReference) {
   }
 }
 
-// Of an image the chains' target is even on the film by default: they are where it is dark as often as where it is bright.
-TEST(SpaceReport, TakesNoStepsForLight) {
-  const std::string html = report_html(compare::summarize(image_runs(40, 30, 1)));
-  EXPECT_NE(html.find("no shares of the light unless its target is light"), html.npos);
-  EXPECT_EQ(html.find("this is the class's share of the light"), html.npos);
-}
-
 // Noise is not compressed: pictures are made smaller before the page is too large.
 TEST(SpaceReport, StaysSmallWhateverTheResolution) {
   Runs runs = image_runs(8, 6, 3);

@@ -117,8 +117,12 @@ TEST_F(ImportedBsdfs, OfMetalsHaveSpectraOfMatter) {
       "<bsdf type='conductor'><spectrum name='eta' value='300:0.2, 900:0.2'/><spectrum name='k' "
       "value='300:4, 900:4'/></bsdf>",
       "a spectrum over wavelengths");
-  expect_near(listed["eta"], {0.2, 0.2, 0.2}, 1e-3);
-  expect_near(listed["k"], {4, 4, 4}, 0.02);
+  // Three channels or, where rounding leaves them the same, one.
+  const auto channels = [](const Json& value) {
+    return value.is_array() ? value : Json{value, value, value};
+  };
+  expect_near(channels(listed["eta"]), {0.2, 0.2, 0.2}, 1e-3);
+  expect_near(channels(listed["k"]), {4, 4, 4}, 0.02);
 }
 
 // A tint has no place beside eta and k: the reflectance is then that along the normal.
