@@ -24,8 +24,9 @@ class ComplexIndex {
     [[no_unique_address]] typename W::Tint tint{};
   };
   Reflected reflected(typename W::Length cosine) const;
-  // Under roulette a walk survives with the share of light that is reflected along the normal, or with a half if that is
-  // more: at grazing angles all light is, and what survives is weighed no more than twice.
+  // Under roulette a walk survives with the share of light that is reflected along the normal, of the channel that
+  // reflects most, or with a half if that is more: at grazing angles all light is, and what survives is weighed no more
+  // than twice.
   static constexpr double least_survival = 0.5;
   Real survival() const { return survival_; }
 

@@ -29,9 +29,10 @@ T fresnel_conductor(T cosine, T eta, T k) {
 
 template <World W>
 ComplexIndex<W>::ComplexIndex(const Constants& eta, const Constants& k)
-    : eta_(eta),
-      k_(k),
-      survival_(std::max(reflected(1).value, static_cast<Real>(least_survival))) {}
+    : eta_(eta), k_(k) {
+  const Reflected along = reflected(1);
+  survival_ = std::max(survival_of<W>(along.value, along.tint), static_cast<Real>(least_survival));
+}
 
 template <World W>
 auto ComplexIndex<W>::reflected(typename W::Length cosine) const -> Reflected {

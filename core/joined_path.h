@@ -45,7 +45,7 @@ class JoinedPath {
   Path<W>& joined_;
   const Path<W>&light_, &sensor_;
   int begin_, end_;
-  [[no_unique_address]] typename W::Tint tint_{};  // Π tint_i
+  [[no_unique_address]] typename W::Tint tint_{};  // Π tint_i, but for a factor
   mutable bool is_whole_ = false;
 };
 

@@ -118,29 +118,30 @@ class Path {
   std::vector<double> weights_;
 };
 
-// Π tint_i
-template <class W>
-typename W::Tint tint(const Path<W>& x) {
-  typename W::Tint product;
-  if constexpr (W::Tint::channels > 1)
-    for (int i = 0; i < x.size(); ++i) product *= x[i].tint;
-  return product;
-}
-
-// What a deposit of luminance 1 on behalf of this path shows.
+// What a deposit of luminance 1 on behalf of this path shows: Π tint_i, of luminance 1.
 template <class W>
 typename W::Tint colour(const Path<W>& x) {
-  if constexpr (W::Tint::channels == 1)
-    return {};
-  else
-    return W::Tint::of(tint(x).colour);
+  typename W::Tint product;
+  if constexpr (W::Tint::channels > 1)
+    for (int i = 0; i < x.size(); ++i) {
+      product *= x[i].tint;
+      product.normalize();
+    }
+  return product;
 }
 
 // f(x), with respect to the area product.
 template <class W>
 Scaled contribution(const Path<W>& x) {
-  Scaled f = double(x[x.size() - 1].value) * luminance(tint(x));
+  Scaled f = double(x[x.size() - 1].value);
   for (int i = 0; i + 1 < x.size(); ++i) f *= double(x[i].value) * x[i].geometry;
+  if constexpr (W::Tint::channels > 1) {
+    typename W::Tint product;
+    for (int i = 0; i < x.size(); ++i) {
+      product *= x[i].tint;
+      f *= product.normalize();
+    }
+  }
   return f;
 }
 

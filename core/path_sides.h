@@ -22,9 +22,9 @@ struct Weighing {
 // Some vertices at an end of a path.
 template <class W>
 struct PathSide {
-  double product = 1;  // Π value / p, with the edges between them
+  double product = 1;  // Π value / p, with the edges between them, times the luminance of Π tint
   double ratios = 0;   // Σ_j (p_j / p_i)^β: the edges of j are among them, that of i behind
-  [[no_unique_address]] typename W::Tint tint{};
+  [[no_unique_address]] typename W::Tint tint{};  // Π tint, of luminance 1
 
   // The next vertex, whose edge to the last one has this geometry.  Of the techniques i, with the edge
   // before it, and k, with the edge behind it, k samples it from here and i from there, so
@@ -36,6 +36,7 @@ struct PathSide {
     product *= geometry * double(v.value) / from_here;
     ratios = raised(from_there / from_here, heuristic) * (possible + ratios);
     tint *= v.tint;
+    product *= tint.normalize();
   }
 };
 
@@ -61,7 +62,7 @@ struct PathSides {
 
   // w_s
   double mis_weight() const { return 1 / (1 + light.ratios + sensor.ratios); }
-  // Π tint_i
+  // Π tint_i, but for the luminance that is in the products
   typename W::Tint tint() const {
     typename W::Tint product = light.tint;
     product *= sensor.tint;

@@ -1,8 +1,8 @@
 // What a texture makes of a vertex.
 //
 // A material whose reflectance is a texture's is made with the reflectance 1, and what it says is
-// scaled by the texel at the vertex: its value and tint, and its survival, which so is a matter of the
-// vertex alone.  Densities of directions do not depend on a reflectance.
+// scaled by the texel at the vertex: its value and tint, and its survival (by the texel's largest channel),
+// which so is a matter of the vertex alone.  Densities of directions do not depend on a reflectance.
 //
 // Texture coordinates are found anew from the point, as shading normals are: paths hold nothing of
 // them, and a scene without textures pays with the test of a pointer, one of the plane with nothing.
@@ -28,8 +28,8 @@ class Texel {
     }
   }
 
-  // By luminance.
-  Real scaled(Real reflected) const { return reflected * luminance_; }
+  // A probability of survival.
+  Real scaled(Real survival) const { return survival_of<W>(survival * luminance_, tint_); }
   Scattering<W> scaled(Scattering<W> s) const {
     if (is_plain_) return s;
     s.value *= luminance_;

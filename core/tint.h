@@ -34,7 +34,9 @@ struct Tint<1> {
   static constexpr int channels = 1;
 
   constexpr double operator[](int) const { return 1; }
+  constexpr double largest() const { return 1; }
   constexpr Tint& operator*=(Tint) { return *this; }
+  constexpr double normalize() { return 1; }
   // Of luminance 1.
   static constexpr Tint of(const std::array<double, 3>&) { return {}; }
 
@@ -50,9 +52,17 @@ struct Tint<3> {
   constexpr double operator[](int channel) const {
     return colour[static_cast<std::size_t>(channel)];
   }
+  constexpr double largest() const { return std::max({colour[0], colour[1], colour[2]}); }
   constexpr Tint& operator*=(const Tint& other) {
     for (std::size_t k = 0; k < colour.size(); ++k) colour[k] *= other.colour[k];
     return *this;
+  }
+  // Takes its luminance out, and returns it: products of many tints, each of which has channels up to 13.85 (of
+  // pure blue), stay within range, and what they lose of their light is in a factor beside them.
+  constexpr double normalize() {
+    const double whole = wander::luminance(colour);
+    *this = of(colour);
+    return whole;
   }
   // Of luminance 1; white if there is no light in it.
   static constexpr Tint of(const std::array<double, 3>& colour) {

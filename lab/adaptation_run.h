@@ -143,8 +143,10 @@ class AdaptationRun {
     WindowSpread spread((*groups.begin())->findings().film->bins());
     const std::uint64_t window = steps_of_window * groups.active();
     for (std::uint64_t done = 0; done + window <= budget_.steps(); done += window) {
-      if (budget_.is_over()) return std::nullopt;
-      groups.advance_to(groups.steps() + window);
+      for (const std::uint64_t goal = groups.steps() + window; groups.steps() < goal;) {
+        if (budget_.is_over()) return std::nullopt;
+        groups.advance_to(std::min(goal, groups.steps() + groups.step_stride()));
+      }
       windows.add_to(spread);
     }
     return spread.value();

@@ -119,10 +119,7 @@ class ChainRun final : public LiveRun {
 
   void advance(std::uint64_t samples) override { groups().advance_to(groups().steps() + samples); }
   std::uint64_t samples() const override { return groups_ ? groups_->steps() : 0; }
-  std::uint64_t stride() const override {
-    constexpr std::uint64_t usual = 1024;
-    return turn_of(usual, space_.max_vertices()) * groups().active();
-  }
+  std::uint64_t stride() const override { return groups().step_stride(); }
   // As dear as it is of chains alone where samples go on beside each step, for they tell the error.
   std::uint64_t first_look() const override {
     constexpr double usual = 1 << 17, fewest = 1 << 12;

@@ -128,8 +128,9 @@ class PilotRun {
     }
   }
   void make_steps(std::uint64_t steps, double share) {
+    const std::uint64_t of_each = std::min(steps_per_round, trial_->step_stride());
     while (trial_->steps() < steps && !budget_.is_over(share))
-      trial_->advance_to(std::min(steps, trial_->steps() + steps_per_round));
+      trial_->advance_to(std::min(steps, trial_->steps() + of_each));
   }
   // Nothing, once the run is interrupted: it may take a while where paths are long.
   Pilot found_by(const BinWorth& worth) const {

@@ -14,7 +14,7 @@ namespace wander {
 
 template <class W>
 struct Splat {
-  Features features{};
+  int vertices = 0, bin = 0;
   double weight = 0;  // w f / p
   [[no_unique_address]] typename W::Tint colour{};
 };
@@ -22,12 +22,32 @@ struct Splat {
 // Memory is reserved once, for a splat of every technique, and where paths may be long for so many that
 // under roulette hardly a sample has more.
 template <class W>
-struct SampleSplats {
+class SampleSplats {
+ public:
   static constexpr std::size_t reserved = 2048;
 
   explicit SampleSplats(int max_vertices) {
     const auto n = static_cast<std::size_t>(max_vertices) + 1;
     splats.reserve(std::min(n * (n + 1) / 2, reserved));
+  }
+
+  void clear() {
+    splats.clear();
+    total = 0;
+    flaw = Reason::zero_contribution;
+    brightest_ = {};
+    most_ = 0;
+  }
+  // `features()` of its path are asked for only if it is brighter than all before: they cost as much as the
+  // path is long, and a sample of long paths has the square of that in splats.
+  template <class OfPath>
+  void add(const Splat<W>& splat, OfPath&& features) {
+    splats.push_back(splat);
+    total += splat.weight;
+    if (!(splat.weight > most_)) return;
+    flaw = Reason::none;
+    brightest_ = features();
+    most_ = splat.weight;
   }
 
   std::vector<Splat<W>> splats;
@@ -37,13 +57,14 @@ struct SampleSplats {
   // f(splat, its share of C*, its colour)
   template <class F>
   void for_each_share(F&& f) const {
-    for (const auto& s : splats) f(s.features.vertices, s.features.bin, s.weight / total, s.colour);
+    for (const auto& s : splats) f(s.vertices, s.bin, s.weight / total, s.colour);
   }
   // Of the brightest splat, which stands for all where one must; dark if there is none.
-  Features brightest() const {
-    const auto found = std::ranges::max_element(splats, {}, &Splat<W>::weight);
-    return found == splats.end() ? Features{} : found->features;
-  }
+  const Features& brightest() const { return brightest_; }
+
+ private:
+  Features brightest_{};
+  double most_ = 0;  // its weight
 };
 
 template <class Space>
@@ -63,13 +84,11 @@ class SplatSampler {
 
   template <class Random>
   void draw(Random& random, Sample& sample) {
-    sample.splats.clear();
-    sample.total = 0;
-    sampler_.sample(random, [&](const Path<W>& x, int, double weight) {
-      sample.splats.push_back({features(space_, x), weight, colour(x)});
-      sample.total += weight;
+    sample.clear();
+    sampler_.sample(random, [&](const JoinedPath<W>& x, int, double weight) {
+      sample.add({x.size(), space_.bin(x.ends()), weight, x.colour()},
+                 [&] { return features(space_, x.whole()); });
     });
-    sample.flaw = sample.total > 0 ? Reason::none : Reason::zero_contribution;
   }
 
  private:

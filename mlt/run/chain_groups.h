@@ -74,6 +74,11 @@ class ChainGroups {
     constexpr std::uint64_t usual = 256;
     return turn_of(usual, max_vertices_);
   }
+  // Of all chains together.
+  std::uint64_t step_stride() const {
+    constexpr std::uint64_t usual = 1024;
+    return turn_of(usual, max_vertices_) * active_;
+  }
   SeedTally tally() const {
     SeedTally tally(max_vertices_);
     for (const auto& group : groups_) tally.merge(group->tally());

@@ -248,7 +248,7 @@ TEST(Texturing, ScalesValueColourAndSurvivalAlone) {
     const Transport<W> space(room, roulette);
     space.evaluate(x, 1);
     if (roulette == Roulette::by_albedo) {
-      EXPECT_DOUBLE_EQ(space.survival(x[1]), x[1].value * std::numbers::pi);
+      EXPECT_DOUBLE_EQ(space.survival(x[1]), x[1].value * x[1].tint.largest() * std::numbers::pi);
     }
     return x;
   };
@@ -260,7 +260,7 @@ TEST(Texturing, ScalesValueColourAndSurvivalAlone) {
   EXPECT_EQ(textured[2].from_light, white[2].from_light);
   EXPECT_EQ(textured[0].from_sensor, white[0].from_sensor);
   EXPECT_DOUBLE_EQ(at(*scene, Roulette::by_albedo)[2].from_light,
-                   white[2].from_light * luminance(texel));
+                   white[2].from_light * texel[0]);
 }
 
 }  // namespace

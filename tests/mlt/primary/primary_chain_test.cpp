@@ -85,11 +85,10 @@ TEST(SampleSplats, ShareAllThatTheSampleCarries) {
   const std::vector<double> weights{1, 1e-9, 3, 0.01};
   for (std::size_t k = 0; k < weights.size(); ++k) {
     Splat<Flatland> splat;
-    splat.features.vertices = 2 + static_cast<int>(k);
-    splat.features.bin = static_cast<int>(10 * k);
+    splat.vertices = 2 + static_cast<int>(k);
+    splat.bin = static_cast<int>(10 * k);
     splat.weight = weights[k];
-    sample.splats.push_back(splat);
-    sample.total += weights[k];
+    sample.add(splat, [&] { return Features{.vertices = splat.vertices}; });
   }
   std::size_t next = 0;
   sample.for_each_share([&](int vertices, int bin, double share, const auto&) {
@@ -100,6 +99,11 @@ TEST(SampleSplats, ShareAllThatTheSampleCarries) {
   });
   EXPECT_EQ(next, weights.size());
   EXPECT_EQ(sample.brightest().vertices, 4);
+  EXPECT_EQ(sample.total, 1 + 1e-9 + 3 + 0.01);
+  EXPECT_EQ(sample.flaw, Reason::none);
+  sample.clear();
+  EXPECT_TRUE(sample.brightest().is_dark());
+  EXPECT_EQ(sample.flaw, Reason::zero_contribution);
   EXPECT_TRUE(SampleSplats<Flatland>(4).brightest().is_dark());
 }
 
