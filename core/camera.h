@@ -8,6 +8,7 @@
 // in We and in p(x) alike.  A thin lens keeps the film's image at `focus_distance` sharp.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "core/ray.h"
@@ -26,10 +27,11 @@ struct Camera {
   Direction axis;
   std::array<Direction, W::dimension - 1> across;  // unit vectors of growing film coordinates
   std::array<Length, W::dimension - 1> extent;     // of the film at distance 1, along `across`
-  Length lens_radius = 0;                          // 0: a pinhole
+  Length lens_radius = 0;                          // 0, or too small: a pinhole
   Length focus_distance = 1;
 
-  bool is_pinhole() const { return lens_radius == 0; }
+  // So is a lens whose density of area is beyond numbers, and what is multiplied with it.
+  bool is_pinhole() const { return !(lens_measure() > 0x1p40 * std::numeric_limits<Real>::min()); }
 
   Point sample_lens(Square u) const {
     if (is_pinhole()) return position;
@@ -46,27 +48,22 @@ struct Camera {
     for (Real& number : u) number = into_unit<Real>(number);
     return u;
   }
-  Real lens_density() const {
-    if (is_pinhole()) return 1;
-    Length measure = W::Dimension::template ball_measure<Length>;
-    for (std::size_t k = 0; k < across.size(); ++k) measure *= lens_radius;
-    return static_cast<Real>(1 / measure);
-  }
+  Real lens_density() const { return is_pinhole() ? 1 : static_cast<Real>(1 / lens_measure()); }
 
   Direction sample_direction(Point lens, Square film) const {
-    Point focus = position + focus_distance * axis;
+    Direction focus = axis;
     for (std::size_t k = 0; k < across.size(); ++k)
-      focus += focus_distance * extent[k] * (Length(film[k]) - Length(0.5)) * across[k];
-    return glm::normalize(focus - lens);
+      focus += extent[k] * (Length(film[k]) - Length(0.5)) * across[k];
+    return glm::normalize(focus - off_center(lens));
   }
   // Where a ray that arrives at the lens against `direction` meets the film, if it does.
   std::optional<Square> film_coordinate(Point lens, Direction direction) const {
     const Length cosine = glm::dot(direction, axis);
     if (!(cosine > 0)) return {};
-    const Point focus = lens + direction * (focus_distance / cosine) - position;
+    const Direction focus = off_center(lens) + direction / cosine;
     Square film{};
     for (std::size_t k = 0; k < across.size(); ++k) {
-      const Length u = glm::dot(focus, across[k]) / (focus_distance * extent[k]) + Length(0.5);
+      const Length u = glm::dot(focus, across[k]) / extent[k] + Length(0.5);
       if (!(u >= 0 && u < 1)) return {};
       film[k] = unit_number<Real>(u);
     }
@@ -80,6 +77,15 @@ struct Camera {
     return static_cast<Real>(1 /
                              (film * W::Dimension::film_spread(Length(glm::dot(direction, axis)))));
   }
+
+ private:
+  Length lens_measure() const {
+    Length measure = W::Dimension::template ball_measure<Length>;
+    for (std::size_t k = 0; k < across.size(); ++k) measure *= lens_radius;
+    return measure;
+  }
+  // As seen from the image of the film, which is at distance 1 then: of a pinhole nothing, wherever it is.
+  Direction off_center(Point lens) const { return (lens - position) / focus_distance; }
 };
 
 }  // namespace wander

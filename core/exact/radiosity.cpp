@@ -59,7 +59,7 @@ RadiositySolution solve_radiosity_once(const RadiosityScene& scene, const Radios
   const FilmIntegral integral(scene, mesher, transport, series);
   RadiositySolution solution;
   for (std::size_t w = 0; w < scene.walls.size(); ++w)
-    if (scene.walls[w].bins > 0) solution.sensors.push_back(integral.film_of(w));
+    if (scene.walls[w].bins > 0) solution.sensors.push_back(integral.film_of(w, 0));
   solution.wall_irradiance = wall_means(scene, nodes, series);
   solution.unknowns = nodes.size();
   return solution;

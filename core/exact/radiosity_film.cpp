@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace wander::exact {
@@ -9,7 +10,8 @@ namespace wander::exact {
 namespace {
 
 // Points per stretch of a bin.  Stretches are bisected until an order changes its bin by less than
-// this part: kinks of light that was reflected before are in no mesh, but nothing here misses them.
+// this part: kinks of light that was reflected before are in no mesh.  What falls between the points is
+// missed by all of them; that shows in the flux (radiosity_refinement.cpp), and then there is a least depth.
 constexpr std::size_t film_points = 7;
 constexpr double film_accuracy = 1e-9;
 constexpr int film_depth = 30;
@@ -45,7 +47,8 @@ FilmIntegral::Orders FilmIntegral::refined(const BinIntegral& bin, Stretch stret
     sum[k] = a[k] + b[k];
     change = std::max(change, std::abs(sum[k] - estimate[k]));
   }
-  if (change <= bin.tolerance || depth == 0) return sum;
+  if (depth == 0) return sum;
+  if (change <= bin.tolerance && depth <= film_depth - bin.least_depth) return sum;
   const Orders fine_a = refined(bin, left, a, depth - 1);
   const Orders fine_b = refined(bin, right, b, depth - 1);
   for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = fine_a[k] + fine_b[k];
@@ -54,7 +57,7 @@ FilmIntegral::Orders FilmIntegral::refined(const BinIntegral& bin, Stretch stret
 
 // The tolerance is a part of what a first look finds in the bin, with rounding as its floor: a dark
 // bin is not refined for ever.
-SensorFilm FilmIntegral::film_of(std::size_t wall) const {
+SensorFilm FilmIntegral::film_of(std::size_t wall, int least_depth) const {
   const std::size_t bins = scene_.walls[wall].bins;
   const auto count = static_cast<double>(bins);
   std::vector<double> edges, scale(bins, 0.0);
@@ -74,13 +77,17 @@ SensorFilm FilmIntegral::film_of(std::size_t wall) const {
   film.mean_irradiance.assign(bins, 0.0);
   for (std::size_t i = 0; i < stretches.size(); ++i) {
     const std::size_t b = bin_of(stretches[i]);
-    const BinIntegral integral{wall, film_accuracy * scale[b] + rounding};
+    const BinIntegral integral{wall, film_accuracy * scale[b] + rounding, least_depth};
     const Orders orders = refined(integral, stretches[i], estimates[i], film_depth);
-    for (std::size_t k = 0; k < orders.size(); ++k) {
-      film.by_vertices[k][b] += count * orders[k];
-      film.mean_irradiance[b] += count * orders[k];
-    }
+    for (std::size_t k = 0; k < orders.size(); ++k) film.by_vertices[k][b] += count * orders[k];
   }
+  // What rounding leaves of light that is not there is none.
+  const double nothing = std::numeric_limits<double>::epsilon() * brightest(scene_);
+  for (std::vector<double>& order : film.by_vertices)
+    for (std::size_t b = 0; b < bins; ++b) {
+      if (order[b] < nothing) order[b] = 0;
+      film.mean_irradiance[b] += order[b];
+    }
   return film;
 }
 

@@ -18,13 +18,15 @@ class FilmIntegral {
                const Series& series)
       : scene_(scene), mesher_(mesher), transport_(transport), series_(series) {}
 
-  SensorFilm film_of(std::size_t wall) const;
+  // Stretches of bins are bisected so often at least.
+  SensorFilm film_of(std::size_t wall, int least_depth) const;
 
  private:
   using Orders = std::vector<double>;  // one value per number of vertices, from 2
   struct BinIntegral {
     std::size_t wall;
     double tolerance;  // of the integral over [0, 1] of the wall
+    int least_depth;
   };
 
   Orders gauss(std::size_t wall, Stretch stretch) const;

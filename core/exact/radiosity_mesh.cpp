@@ -121,18 +121,24 @@ void Mesher::break_behind(const Corner& near, PlanePoint direction) {
   if (wall) breaks_[*wall].push_back(position);
 }
 
-std::vector<Stretch> Mesher::stretches(std::size_t wall, std::vector<double> cuts) const {
-  cuts.insert(cuts.end(), breaks_[wall].begin(), breaks_[wall].end());
-  cuts.push_back(1);
-  std::sort(cuts.begin(), cuts.end());
-  std::vector<Stretch> result;
-  double from = 0;
-  for (const double cut : cuts) {
-    const double to = 1 - cut <= same_break ? 1 : cut;
-    if (to - from <= same_break) continue;
-    refine(wall, {from, to}, result);
-    from = to;
+// Breaks that are as good as one are one; the edges of bins are all kept, where they are.
+std::vector<Stretch> Mesher::stretches(std::size_t wall, std::vector<double> edges) const {
+  edges.push_back(0);
+  edges.push_back(1);
+  std::ranges::sort(edges);
+  std::vector<double> breaks = breaks_[wall], ends = edges;
+  std::ranges::sort(breaks);
+  double last = 0;
+  for (const double at : breaks) {
+    const auto next = std::ranges::upper_bound(edges, at);
+    if (next == edges.begin() || next == edges.end()) continue;
+    last = std::max(last, *(next - 1));
+    if (at - last <= same_break || *next - at <= same_break) continue;
+    ends.push_back(last = at);
   }
+  std::ranges::sort(ends);
+  std::vector<Stretch> result;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) refine(wall, {ends[i], ends[i + 1]}, result);
   return result;
 }
 

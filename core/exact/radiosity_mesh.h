@@ -28,8 +28,8 @@ class Mesher {
  public:
   Mesher(const RadiosityScene& scene, const Visibility& visibility, const RadiosityMesh& mesh);
 
-  // `cuts` are further positions to break at.
-  std::vector<Stretch> stretches(std::size_t wall, std::vector<double> cuts) const;
+  // `edges` are positions at which stretches end, beside where the light changes.
+  std::vector<Stretch> stretches(std::size_t wall, std::vector<double> edges) const;
 
  private:
   struct Corner {

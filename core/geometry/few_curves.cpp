@@ -28,6 +28,8 @@ FewCurves<W>::FewCurves(std::span<const Shape<W>> shapes) : shapes_(shapes) {
       last.from_y[k] = segment->from().y;
       last.to_x[k] = segment->to().x;
       last.to_y[k] = segment->to().y;
+      last.along_x[k] = segment->to().x - segment->from().x;
+      last.along_y[k] = segment->to().y - segment->from().y;
       last.slack[k] = segment->slack();
       last.shape[k] = static_cast<Length>(i);
     }
@@ -44,7 +46,8 @@ void FewCurves<W>::find(const Segments& segments, const Ray<W>& ray, Lanes& dist
   const Lanes bx = segments.to_x - ray.origin.x, by = segments.to_y - ray.origin.y;
   const Lanes side_a = ray.direction.x * ay - ray.direction.y * ax;
   const Lanes side_b = ray.direction.x * by - ray.direction.y * bx;
-  const Lanes area = ax * by - ay * bx, span = side_b - side_a;
+  const Lanes area = ax * segments.along_y - ay * segments.along_x;
+  const Lanes span = ray.direction.x * segments.along_y - ray.direction.y * segments.along_x;
   const Lanes numerator = side_a > zero ? -area : area;
   const Lanes distance = numerator / (span > zero ? span : -span);
   const auto crosses = (side_a > zero) ^ (side_b > zero);

@@ -31,7 +31,7 @@ class FewCurves {
   using Lanes [[gnu::vector_size(width * sizeof(double))]] = double;
   // Lanes that are left over hold the last segment again.
   struct alignas(sizeof(Lanes)) Segments {
-    Lanes from_x{}, from_y{}, to_x{}, to_y{}, slack{};
+    Lanes from_x{}, from_y{}, to_x{}, to_y{}, along_x{}, along_y{}, slack{};
     Lanes shape{};  // its ShapeId
   };
 

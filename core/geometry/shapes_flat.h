@@ -42,17 +42,20 @@ class Segment {
   Segment(Point from, Point to);
 
   // The end points are classified by the side of the ray they lie on, so segments that share an end
-  // point leave no gap: a ray through it crosses exactly one of the two.
+  // point leave no gap: a ray through it crosses exactly one of the two.  How far the crossing is they would
+  // not tell well: what rounding makes of them is of the order of the distance, so a long ray would miss what stands
+  // close before its end.  With e from end to end, d = a × e / direction × e.
   Length intersect(const Ray<W>& ray, Element<W> self) const {
     if (ray.from == self || ray.to == self) return miss();
     const Point a = from_ - ray.origin, b = to_ - ray.origin;
     const Length side_a = cross(ray.direction, a), side_b = cross(ray.direction, b);
     if ((side_a > 0) == (side_b > 0)) return miss();
-    const Length numerator = side_a > 0 ? -cross(a, b) : cross(a, b);
+    const Point along = to_ - from_;
+    const Length numerator = side_a > 0 ? -cross(a, along) : cross(a, along);
     // An origin within rounding of this line counts as in front of it: light cannot leave a room
     // through the last bit of a corner.
     if (!(numerator >= -slack_)) return miss();
-    const Length distance = numerator / std::abs(side_b - side_a);
+    const Length distance = numerator / std::abs(cross(ray.direction, along));
     return distance < ray.limit ? std::max(distance, Length(0)) : miss();
   }
   SurfacePoint<W> surface(const Ray<W>& ray, const Hit<W>&) const {

@@ -79,7 +79,9 @@ class LintOfSpace {
            fmt::format("this shape is {:.1e} times smaller than the scene, too small for exact "
                        "results; ratios up to 1e12 are safe",
                        diameter_ / shape.feature));
-    if (shape.flattened > 0)
+    if (shape.flattened == shape.faces && scene_.shapes[i].light)
+      note(found_.faults, i, "this light has no area, so it shines on nothing: give it some");
+    else if (shape.flattened > 0)
       note(found_.warnings, i,
            fmt::format("{} of the triangles of this mesh {} no area, and light never meets {}; "
                        "leave them out of the file",

@@ -123,6 +123,58 @@ TEST(Cameras, HaveDirectionsOfTotalProbabilityOne) {
     }
 }
 
+// A pinhole's directions have nothing to do with where it is, nor with what is sharp.
+TEST(Cameras, ArePinholesBlindToWhereTheyFocus) {
+  auto camera = lens(0);
+  const auto ahead = camera.sample_direction(camera.position, {0.3});
+  for (const double focus : {1e-300, 1e-17, 1.0, 1e17, 1e300}) {
+    camera.focus_distance = focus;
+    camera.position = {focus * 0.2, 100};
+    const auto w = camera.sample_direction(camera.position, {0.3});
+    EXPECT_EQ(w, ahead) << focus;
+    const auto film = camera.film_coordinate(camera.position, w);
+    ASSERT_TRUE(film) << focus;
+    EXPECT_NEAR((*film)[0], 0.3, 1e-14) << focus;
+  }
+}
+
+// What is at the distance of focus is sharp: rays from all points of the lens to one of the film meet there.
+TEST(Cameras, KeepSharpWhatIsAtTheDistanceOfFocus) {
+  const auto camera = lens(0.25);
+  for (const double film : {0.0, 0.3, 0.9}) {
+    const auto focus =
+        camera.position +
+        camera.focus_distance * (camera.axis + camera.extent[0] * (film - 0.5) * camera.across[0]);
+    for (const double u : {0.1, 0.5, 0.8}) {
+      const auto point = camera.sample_lens({u});
+      const auto w = camera.sample_direction(point, {film});
+      EXPECT_NEAR(glm::dot(w, glm::normalize(focus - point)), 1, 1e-15);
+      EXPECT_NEAR(wander::cross(w, focus - point), 0, 1e-14);
+    }
+  }
+}
+
+// A lens whose density no number holds is a pinhole.
+TEST(Cameras, WithATinyLensArePinholes) {
+  for (const double radius : {0.0, 1e-310, 1e-200, 1e-100}) {
+    const auto camera = lens(radius);
+    EXPECT_EQ(camera.is_pinhole(), radius < 1e-300);
+    EXPECT_TRUE(std::isfinite(camera.lens_density()));
+  }
+  const auto is_pinhole = [](double radius) {
+    const Camera<Spaceland> camera{.position = {},
+                                   .axis = {0, 0, 1},
+                                   .across = {Spaceland::Direction(1, 0, 0), {0, 1, 0}},
+                                   .extent = {1, 1},
+                                   .lens_radius = radius};
+    EXPECT_TRUE(std::isfinite(1e6 * camera.lens_density())) << radius;
+    return camera.is_pinhole();
+  };
+  EXPECT_TRUE(is_pinhole(1e-200));
+  EXPECT_TRUE(is_pinhole(1e-154));
+  EXPECT_FALSE(is_pinhole(1e-100));
+}
+
 TEST(Cameras, SampleDirectionsWithTheirDensity) {
   Generator g(1);
   const auto camera = lens(0.25);

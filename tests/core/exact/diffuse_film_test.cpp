@@ -66,6 +66,50 @@ SceneMaker shafts() {
   return maker;
 }
 
+// A camera obscura: a lamp in a box with a slit lights a spot of the ceiling, which shines through a second slit of
+// 2 mm onto a spot of the floor that is narrower than the way from one point of a wide bin to the next.  The second
+// lamp keeps the bin from being dark.
+SceneMaker camera_obscura(int bins) {
+  SceneMaker maker(3);
+  const std::size_t bright = maker.diffuse(0.8);
+  maker.segment({0, 0}, {1, 0}, {.bins = bins});
+  maker.segment({0, 0.5}, {0.53, 0.5}).segment({0.532, 0.5}, {1, 0.5});
+  maker.segment({0, 0}, {0, 1}).segment({1, 0}, {1, 1}).segment({1, 1}, {0, 1}, {bright});
+  maker.segment({0.72225, 0.52}, {0.72275, 0.52}, {.radiance = 1e6});
+  maker.segment({0.6725, 0.5}, {0.6725, 0.6}).segment({0.7725, 0.5}, {0.7725, 0.6});
+  maker.segment({0.6725, 0.6}, {0.72225, 0.6}).segment({0.72275, 0.6}, {0.7725, 0.6});
+  return maker.segment({0.95, 0.3}, {0.9, 0.3}, {.radiance = 0.001});
+}
+
+// The mean of a film does not depend on its bins.
+TEST(AdaptiveRadiosity, MissesNoSpotThatIsNarrowerThanABin) {
+  const auto mean = [](int bins) {
+    const DiffuseFilm film = diffuse_film(camera_obscura(bins).description());
+    double sum = 0, error = 0;
+    for (std::size_t b = 0; b < film.value.size(); ++b) {
+      sum += film.value[b] / bins;
+      error += film.error[b] / bins;
+    }
+    EXPECT_LE(error, 1e-4 * sum) << bins;
+    return sum;
+  };
+  const double truth = mean(50);
+  EXPECT_GT(truth, 4e-3);
+  for (const int bins : {1, 2, 7}) EXPECT_NEAR(mean(bins), truth, 2e-4 * truth) << bins;
+}
+
+// A wall stands 9e-8 beside the edge of two bins; turned around, on the other side.
+TEST(DiffuseFilm, HasItsBinsWhereTheyAre) {
+  const auto film_with_wall_at = [](double x) {
+    SceneMaker maker(2);
+    maker.segment({0, 0}, {1, 0}, {.bins = 10'000}).segment({x, 0.1}, {x, 0.3});
+    return diffuse_film(maker.segment({1, 1}, {0, 1}, {.radiance = 1}).description());
+  };
+  const DiffuseFilm left = film_with_wall_at(0.5 - 9e-8), right = film_with_wall_at(0.5 + 9e-8);
+  for (std::size_t b = 0; b < left.value.size(); ++b)
+    ASSERT_NEAR(left.value[b], right.value[left.value.size() - 1 - b], 1e-10) << b;
+}
+
 // Largest error of a film in units of what it says of its error.
 double largest_excess(const SensorFilm& film, const SensorFilm& truth,
                       const std::vector<double>& claim) {

@@ -163,6 +163,33 @@ TYPED_TEST(Hierarchy, IsBlindToPowersOfTwo) {
   }
 }
 
+// From 1e25 to 1e150 of its extents, farther than single precision has numbers for: along an axis a scene is met as
+// a search meets it, and in other directions, which round to anything, nothing goes wrong.
+TYPED_TEST(Hierarchy, IsMetFromHoweverFar) {
+  constexpr int D = TestFixture::D;
+  Generator g(5);
+  const auto shapes = TestFixture::random_shapes(g, 7);  // fewer than the children of two levels
+  const TypeParam bvh(shapes);
+  int hits = 0;
+  for (int i = 0; i < 4000; ++i) {
+    auto ray = TestFixture::random_ray(g, {});
+    const double far = std::pow(10, 25 + 125 * g.uniform());
+    const bool is_along_an_axis = i % 2 == 0;
+    if (is_along_an_axis) {
+      ray.direction = typename TestFixture::Point(0);
+      ray.direction[i / 2 % D] = 1;
+    }
+    ray.origin -= far * ray.direction;
+    const auto expected = TestFixture::search(shapes, ray), hit = bvh.closest(ray);
+    const bool any = bvh.any(ray);
+    if (!is_along_an_axis) continue;
+    ASSERT_EQ(hit.distance, expected.distance);
+    ASSERT_EQ(any, bool(expected));
+    hits += bool(hit);
+  }
+  EXPECT_GT(hits, 15);
+}
+
 // Many shapes in one place cannot be told apart by any plane; the tree ends all the same.
 TYPED_TEST(Hierarchy, HoldsShapesThatCoincide) {
   Generator g(4);

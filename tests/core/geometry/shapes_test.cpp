@@ -48,6 +48,24 @@ class Shapes : public ::testing::Test {
 using Worlds = ::testing::Types<Flatland, Spaceland>;
 TYPED_TEST_SUITE(Shapes, Worlds);
 
+// Of a lamp 1e10 m away and of what stands 1 mm before the sensor: the ray meets it, and does not meet what stands
+// 1 mm behind.  What decides is one part in 1e13 of the way.
+TEST(Segments, AreMetAtTheEndOfTheLongestRay) {
+  Generator g(7);
+  for (int i = 0; i < 20'000; ++i) {
+    const double far = std::pow(10, 10 * g.uniform()), angle = 0.2 + 2.7 * g.uniform();
+    const Point2 end{g.uniform(), 0}, origin = far * Point2(std::cos(angle), std::sin(angle));
+    for (const double height : {1e-3, -1e-3}) {
+      const double meets = end.x + height * (origin.x - end.x) / origin.y;
+      const double size = 0.02 + g.uniform(), at = 0.1 + 0.8 * g.uniform();
+      const Line slat({meets - at * size, height}, {meets + (1 - at) * size, height});
+      const double found = slat.intersect({.origin = origin, .direction = end - origin, .limit = 1},
+                                          Element<Flatland>(0));
+      ASSERT_EQ(found<1, height> 0) << far << " " << angle;
+    }
+  }
+}
+
 TYPED_TEST(Shapes, KnowTheParameterOfEachOfTheirPoints) {
   constexpr int D = TestFixture::D;
   Generator g(6);

@@ -97,6 +97,22 @@ TEST(LintOfSpace, CountsTrianglesWithoutArea) {
   EXPECT_NE(found[0].what.find("2 of the triangles of this mesh have no area"), std::string::npos);
 }
 
+// Nothing could be sampled on it.
+TEST(LintOfSpace, RefusesLightsWithoutArea) {
+  description::Scene scene = parse(space_only("[" + a_lamp + "," + a_screen + "]")).scene;
+  auto triangles = std::make_shared<Triangles>();
+  triangles->points = {{0, 1, 0}, {1, 1, 0}, {2, 1, 0}};
+  triangles->corners = {{0, 1, 2}};
+  description::Shape& flat = scene.shapes.emplace_back();
+  flat.kind = description::Mesh{"m.obj", triangles};
+  EXPECT_TRUE(lint(scene).faults.empty());
+  flat.light = scene.shapes.front().light;
+  ASSERT_TRUE(flat.light);
+  const std::vector<Fault> faults = lint(scene).faults;
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_NE(faults[0].what.find("this light has no area"), std::string::npos);
+}
+
 TEST(LintOfSpace, LooksAtEveryFaceOfAMeshBesideALightOrSensor) {
   description::Scene scene = parse(space_only("[" + a_lamp + "," + a_screen + "]")).scene;
   auto triangles = std::make_shared<Triangles>();
