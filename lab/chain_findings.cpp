@@ -64,6 +64,8 @@ Rendering ChainFindings::rendering() const {
 // ---- groups of different sizes
 
 double ChainFindings::Part::size() const {
+  if (cost_of_sample)
+    return static_cast<double>(steps) + *cost_of_sample * static_cast<double>(seeds);
   const double share = settings.seed_share.value_or(ChainSettings::usual_seed_share);
   return 1 / (1 / static_cast<double>(steps) + share / static_cast<double>(seeds));
 }

@@ -5,7 +5,10 @@
 // as its run's share of
 //   1 / (1/steps + share/seeds)    [seeds: its independent samples, share: --seed-share]
 // for the variance of a film falls as 1/steps of the chains and as 1/seeds, and both parts are taken
-// to be equal where the seed pass has its usual length.  What a group found has no part in it.
+// to be equal where the seed pass has its usual length; of a pooled film as its share of
+//   steps + κ seeds                [κ: what a sample costs in steps, by its pilot]
+// for how many samples are made for each step is chosen so that the same work bears the same variance.
+// What a group found has no part in it.
 #pragma once
 
 #include <deque>
@@ -46,6 +49,7 @@ class ChainFindings final : public Findings {
       part.seeds += group->tally().samples;
       groups_.push_back(group->findings());
     }
+    if (is_pooled()) part.cost_of_sample = groups_.back().parts.front().pooling().cost_of_sample;
     part.steps = statistics_.steps() - before;
     parts_.push_back(std::move(part));
   }
@@ -62,6 +66,7 @@ class ChainFindings final : public Findings {
     std::optional<SharedLight> shared;  // whose pixels are here, on its raster
     int chains = 0;
     std::uint64_t seeds = 0, steps = 0;
+    std::optional<double> cost_of_sample{};  // of a pooled film
     ChainDraws draws{};
 
     double size() const;

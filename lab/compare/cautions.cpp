@@ -59,10 +59,13 @@ void of_missing_runs(std::vector<std::string>& cautions, const View& view) {
         fmt::format("The comparison is not complete: {} of {} runs were made.", made, planned));
   for (std::size_t c = 0; c < view.contenders(); ++c) {
     const auto failed = std::ranges::count(runs.failures, c, &FailedRun::contender);
-    if (failed > 0)
+    const std::size_t all = runs.budgets.size() * runs.replicates;
+    if (static_cast<std::size_t>(failed) == all)
+      cautions.push_back(fmt::format("All {} runs of {} failed.", all, runs.contenders[c].label));
+    else if (failed > 0)
       cautions.push_back(
-          fmt::format("{} of {} runs of {} failed: its errors are those of the rest.", failed,
-                      runs.budgets.size() * runs.replicates, runs.contenders[c].label));
+          fmt::format("{} of {} runs of {} failed: its errors are those of the rest.", failed, all,
+                      runs.contenders[c].label));
   }
   if (!has_reference(runs)) return;
   const auto broken = std::ranges::count_if(
@@ -144,6 +147,7 @@ void of_the_error_bars(std::vector<std::string>& cautions, const View& view) {
   Named uncovered, sloping, unreliable;
   for (std::size_t c = 0; c < view.contenders(); ++c) {
     const CellRuns& cell = view.cells[view.at(c)];
+    if (view.comparison.cells[view.at(c)].is_dark) continue;  // that is said of it already
     if (undercovers(cell))
       uncovered.add(view.comparison, c, percent(view.comparison.cells[view.at(c)].coverage));
     const Curve& curve = view.comparison.curves[c];

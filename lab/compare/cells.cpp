@@ -59,7 +59,7 @@ double least_square(const Square& square, double draw) {
 }
 
 Draws draws_of_square(const Square& square, const Draws& reference, std::uint32_t stream) {
-  Draws draws = draws_of_mean(square.of, stream);
+  Draws draws = draws_of_mean(square.of, stream, reference.size());
   if (!(square.noise > 0)) return draws;
   const double bias = std::max(square.paired - square.noise, 0.0);
   for (std::size_t i = 0; i < draws.size(); ++i) {

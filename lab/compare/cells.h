@@ -30,7 +30,7 @@ struct CellRuns {
   TimeKind time = TimeKind::wall;
 };
 
-// `reference` are draws_of_reference(); `stream` tells cells apart.
+// `reference` are draws_of_reference(), and the cell has as many; `stream` tells cells apart.
 MeasuredCell measure_cell(const CellRuns& runs, const Yardstick& yardstick, const Draws& reference,
                           std::uint32_t stream);
 

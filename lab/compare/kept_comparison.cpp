@@ -155,6 +155,15 @@ std::size_t number_of(const fs::path& file) {
   return number;
 }
 
+bool holds_more_than_a_plan(const fs::path& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (const std::string name = entry.path().filename().string();
+        name == reference_part || name.starts_with(runs_prefix))
+      return true;
+  return false;
+}
+
 }  // namespace
 
 fs::path kept_in(const fs::path& directory) { return directory / "kept"; }
@@ -166,10 +175,16 @@ bool holds_kept_comparison(const fs::path& directory) {
 
 KeptComparison::KeptComparison(Request request, const fs::path& directory)
     : folder_(kept_in(directory)), request_(std::move(request)) {
+  if (holds_more_than_a_plan(folder_)) {
+    fs::remove_all(set_aside());
+    fs::rename(folder_, set_aside());
+  }
   fs::remove_all(folder_);
   fs::create_directory(folder_);
   write_plan();
 }
+
+fs::path KeptComparison::set_aside() const { return fs::path(folder_) += ".before"; }
 
 KeptComparison KeptComparison::in(const fs::path& directory) {
   if (!holds_kept_comparison(directory))
@@ -267,13 +282,19 @@ void KeptComparison::keep_all() {
   if (waiting_.empty()) return;
   const Clock::time_point before = Clock::now();
   write(name_of(++files_), archived(waiting_));
+  // One whose runs all fail comes to nothing.
+  if (std::ranges::any_of(waiting_, [](const FinishedTurn& turn) { return turn.run.has_value(); }))
+    fs::remove_all(set_aside());
   waiting_.clear();
   written_ = Clock::now();
   cost_ = written_ - before;
 }
 
 void KeptComparison::discard() {
-  if (!folder_.empty()) fs::remove_all(folder_);
+  if (!folder_.empty()) {
+    fs::remove_all(folder_);
+    if (fs::exists(set_aside())) fs::rename(set_aside(), folder_);
+  }
   *this = {};
 }
 

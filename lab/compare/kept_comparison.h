@@ -55,7 +55,8 @@ class KeptComparison {
  public:
   // Keeps nothing.
   KeptComparison() = default;
-  // A new one, in the directory of its files; what was kept of another there goes.
+  // A new one, in the directory of its files.  What was kept of another there is set aside, and goes when the first
+  // run of this one is kept.
   KeptComparison(Request request, const std::filesystem::path& directory);
   // Throws UsageError if none is kept there, RunFileError if it is damaged or of another version.
   static KeptComparison in(const std::filesystem::path& directory);
@@ -81,7 +82,7 @@ class KeptComparison {
   void keep(const FinishedTurn& finished);
   void keep_all();
 
-  // Of a comparison that came to nothing.
+  // Of a comparison that came to nothing: what had been set aside for it is there again.
   void discard();
 
  private:
@@ -99,6 +100,7 @@ class KeptComparison {
   std::string body_of(const std::string& part) const;
   void write(const std::string& part, const std::string& body) const;
   void write_plan() const;
+  std::filesystem::path set_aside() const;
 
   std::filesystem::path folder_{};  // empty: nothing is kept
   Request request_{};

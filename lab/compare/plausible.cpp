@@ -117,22 +117,27 @@ class Source {
 
 }  // namespace
 
-Draws draws_of_mean(std::span<const double> replicates, std::uint32_t stream) {
+std::size_t draw_count_of(std::size_t contenders) {
+  constexpr std::size_t draws_per_pair = 160;  // the smallest p-value is 2 / 160 = 0.0125 then
+  return std::max(draw_count, draws_per_pair * (contenders * (contenders - 1) / 2));
+}
+
+Draws draws_of_mean(std::span<const double> replicates, std::uint32_t stream, std::size_t count) {
   if (replicates.size() < 2) return {};
   const Replicates summary = summary_of(replicates);
   if (!std::isfinite(summary.mean)) return {};
-  if (!(summary.mean > 0)) return Draws(draw_count, 0.0);
+  if (!(summary.mean > 0)) return Draws(count, 0.0);
   Source source(summary, stream);
-  Draws draws(draw_count);
+  Draws draws(count);
   for (double& draw : draws) draw = summary.mean * std::exp(stretch * source.draw());
   return draws;
 }
 
-Draws draws_of_reference(double degrees) {
+Draws draws_of_reference(double degrees, std::size_t count) {
   std::mt19937_64 engine;
   boost::random::normal_distribution<double> normal;
   boost::random::student_t_distribution<double> student(std::isfinite(degrees) ? degrees : 1);
-  Draws draws(draw_count);
+  Draws draws(count);
   for (double& draw : draws) draw = std::isfinite(degrees) ? student(engine) : normal(engine);
   return draws;
 }

@@ -39,12 +39,16 @@ namespace wander::compare {
 
 using Draws = std::vector<double>;
 inline constexpr std::size_t draw_count = 4000;
+// So many, or more, that a difference can be significant among those of all pairs: of n draws no p-value is below
+// 2 / (n + 1), and Holm's method multiplies the smallest by the number of pairs.
+std::size_t draw_count_of(std::size_t contenders);
 
 // Draws of E D from replicates of D >= 0; streams are independent.  None for a single replicate.
-Draws draws_of_mean(std::span<const double> replicates, std::uint32_t stream);
+Draws draws_of_mean(std::span<const double> replicates, std::uint32_t stream,
+                    std::size_t count = draw_count);
 
 // Draws of the reference's error in units of its standard error, t of so many degrees.
-Draws draws_of_reference(double degrees);
+Draws draws_of_reference(double degrees, std::size_t count = draw_count);
 
 // The quantiles 0.025 and 0.975, widened to hold `value`; a bound that is not finite is not known.
 // Unknown as a whole where there are no draws, or more than 2.5 % of them are not numbers.

@@ -39,7 +39,8 @@ class CellByCell {
   CellByCell(Comparison& comparison, const Yardstick& yardstick)
       : comparison_(comparison),
         yardstick_(yardstick),
-        reference_(draws_of_reference(yardstick.degrees)) {
+        reference_(draws_of_reference(yardstick.degrees,
+                                      draw_count_of(comparison.runs.contenders.size()))) {
     comparison_.errors.resize(comparison_.runs.runs.size());
   }
 

@@ -38,6 +38,8 @@ constexpr std::size_t most_named = 3;
 constexpr double largest_factor = 100, least_factor = 1.1;
 
 constexpr std::size_t cells_of_ranks = 16;
+// Of fewer in all groups, or fewer elsewhere, F has not its law: a rare value beside a large tie is in a cell of its own.
+constexpr double fewest_draws_of_cell = 50;
 
 // The cell of each draw: which sixteenth its rank is in.  Equal values are in one cell.
 std::vector<std::size_t> cells_of(const std::vector<double>& values) {
@@ -75,6 +77,8 @@ double spread_ratio(const std::vector<double>& counts, std::size_t k) {
     squares += mean * mean;
     within += (first - second) * (first - second) / 4;
   }
+  const double draws = std::accumulate(counts.begin(), counts.end(), 0.0);
+  if (std::min(2 * sum, draws - 2 * sum) < fewest_draws_of_cell) return 0;
   const auto n = static_cast<double>(groups);
   const double between = (squares - sum * sum / n) / (n - 1);
   return between > 0 ? between / (within / n) : 0;

@@ -206,6 +206,32 @@ TEST(MergedChains, OfPooledFilmsHaveTheMeanOfThem) {
   }
 }
 
+// However the runs share their work between chains and samples: one of twice the work weighs twice.
+TEST(MergedChains, OfPooledFilmsWeighByTheirWork) {
+  const Job job = chains_job(NormalizationMethod::bridge, FilmParts::pooled, 1);
+  const std::vector<Kept> runs{kept_run(job, 1, 2'000), kept_run(job, 2, 50'000)};
+  const auto work = [](const Rendering& run) {
+    return static_cast<double>(run.samples) +
+           run.pooling->how.cost_of_sample * static_cast<double>(run.pooling->samples);
+  };
+  const double a = work(runs[0].found), b = work(runs[1].found);
+  const auto by_steps = static_cast<double>(runs[1].found.samples) /
+                        static_cast<double>(runs[0].found.samples + runs[1].found.samples);
+  ASSERT_GT(std::abs(b / (a + b) - by_steps), 0.02) << "the two would not be told apart";
+  const Rendering all = merged(job, runs);
+  // The share w of the second run, by least squares over the bins, once all have the same level.
+  double products = 0, squares = 0;
+  const auto of = [](const Rendering& r, std::size_t j) {
+    return r.film.value[j] / mean_value(r.film);
+  };
+  for (std::size_t j = 0; j < all.film.value.size(); ++j) {
+    const double step = of(runs[1].found, j) - of(runs[0].found, j);
+    products += step * (of(all, j) - of(runs[0].found, j));
+    squares += step * step;
+  }
+  EXPECT_NEAR(products / squares, b / (a + b), 0.01);
+}
+
 // The same of large films, whose parts have errors of their own.
 TEST(MergedChains, OfLargePooledFilmsHaveTheErrorOfTheirMean) {
   Job job = chains_job(NormalizationMethod::bridge, FilmParts::pooled, 1);

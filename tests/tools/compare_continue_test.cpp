@@ -133,6 +133,30 @@ TEST_F(ContinuingComparison, ANewComparisonLeavesNothingOfTheOld) {
   EXPECT_HAS(outcome.err, "carried on from 2 of 2 runs");
 }
 
+// Every run fails: what was to be replaced is as it was, and can be carried on.
+TEST_F(ContinuingComparison, OneThatComesToNothingLeavesTheOldAsItWas) {
+  ASSERT_EQ(compare(std::string(tiny) + " -q -o run").exit_code, 0);
+  const std::string before = contents(folder / "run/compare.json");
+  std::string dark = box;
+  const std::string lamp = "    { \"type\": \"segment\", \"from\": [0.5,0.1]";
+  dark.insert(dark.find(lamp),
+              "    { \"type\": \"segment\", \"from\": [0,0.5], \"to\": [2,0.5] },\n");
+  write("dark.json", dark);
+  fs::copy_file(folder / "run/reference.json", folder / "known.json");
+  const Outcome failed =
+      compare("dark.json -m mlt -b 100 --replicates 2 --reference known.json -q -o run --force");
+  EXPECT_NE(failed.exit_code, 0) << failed.err;
+  EXPECT_HAS(failed.err, "light");
+  EXPECT_FALSE(fs::exists(folder / "run/kept.before"));
+  EXPECT_EQ(contents(folder / "run/compare.json"), before);
+  const Outcome outcome = compare("--continue -o run");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_HAS(outcome.err, "carried on from ");
+  // And one that has made a run leaves nothing of it.
+  ASSERT_EQ(compare("box.json -m pt -b 1k --replicates 2 -q -o run --force").exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder / "run/kept.before"));
+}
+
 TEST_F(ContinuingComparison, AnOutputThatExistsNamesBothWays) {
   ASSERT_EQ(compare(std::string(tiny) + " -q -o run").exit_code, 0);
   expect_refused(std::string(tiny) + " -o run", 2,

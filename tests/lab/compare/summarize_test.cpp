@@ -97,6 +97,19 @@ TEST(Summarize, ASingleReplicateHasValuesAndNoInterval) {
   EXPECT_GE(c.verdict.size(), 2U);
 }
 
+// However many others there are: among 30 contenders there are 435 pairs, of which 29 are with the one behind.
+TEST(Summarize, ManyContendersHideNoDifference) {
+  Generator random(2);
+  std::vector<MadeMethod> methods{{"slow", 0.9}};
+  for (int i = 1; i < 30; ++i) methods.push_back({"fast" + std::to_string(i), 0.01});
+  const Comparison c = summarize(made_runs({.replicates = 16, .seconds = {1}}, methods, random));
+  EXPECT_EQ(c.crossings.size(), 435U);
+  for (const Crossing& crossing : c.crossings) {
+    if (crossing.behind != 0) continue;
+    EXPECT_TRUE(crossing.significant) << crossing.ahead;
+  }
+}
+
 TEST(Summarize, WhatIsFarAheadIsFoundAheadBeyondChance) {
   Generator random(2);
   const Comparison c = summarize(

@@ -63,6 +63,21 @@ TEST(Disagreement, IsFoundWhereEveryGroupStaysByItself) {
   EXPECT_GT(found.ratio, 2);
 }
 
+// Of 64 groups with 128 draws each one draw in 2000 has another value: some four in all, which few groups have.
+// The law of F is told that they disagree, with p < 1e-6, in seven runs of a thousand.  False alarms:
+// disagreement_false_alarm for each run.
+TEST(Disagreement, IsNotFoundInAHandfulOfDraws) {
+  Rng random(5, Purpose::test, 12);
+  for (int run = 0; run < 1000; ++run) {
+    Draws draws{64, 128, {}};
+    for (std::size_t i = 0; i < draws.chains * draws.length; ++i) {
+      const double u = random.uniform();
+      draws.values.push_back(u < 1.0 / 2000 ? 1 : 0);
+    }
+    ASSERT_GT(disagreement(draws, 1).p_value, disagreement_false_alarm) << run;
+  }
+}
+
 // What changes within a group is no disagreement of the groups.
 TEST(Disagreement, IsNotFoundWhereGroupsChange) {
   const Disagreement found = disagreement(draws_of({.late_offset = 0.5}, 1), chains_per_group);
