@@ -80,7 +80,7 @@ class BoundComparison {
       : request_(std::move(request)),
         options_(request_.options()),
         task_(examined(options_, request_.global())),
-        place_(request_.directory, request_.global()) {}
+        place_(std::in_place, request_.directory, request_.global()) {}
 
   // Of each run that is to be made: its method and dials, its budget and seed.
   nb::typed<nb::list, nb::typed<nb::dict, nb::str, nb::any>> turns() const {
@@ -120,19 +120,21 @@ class BoundComparison {
     std::string json;
     listening.carry_out([&] {
       const compare::Comparison comparison =
-          compare::summarize(compare::runs_of(task_, options_, host, place_.path()));
-      compare::write_comparison(comparison, task_.document.scene, place_.path());
+          compare::summarize(compare::runs_of(task_, options_, host, place_->path()));
+      compare::write_comparison(comparison, task_.document.scene, place_->path());
       json = compare::to_json(comparison).dump();
     });
     return json;
   }
+
+  void close() { place_.reset(); }
 
  private:
   compare::Turn turn_of(std::size_t number) const {
     return compare::turns_of(task_.plan).at(number);
   }
   void keep(const compare::FinishedTurn& finished) {
-    if (!taken_) taken_.emplace(task_.request, place_.path());
+    if (!taken_) taken_.emplace(task_.request, place_->path());
     taken_->keep(finished);
   }
   // What was taken is carried on like a comparison that was interrupted.
@@ -150,7 +152,7 @@ class BoundComparison {
   ComparisonRequest request_;
   CompareOptions options_;
   CompareTask task_;
-  OutputDirectory place_;
+  std::optional<OutputDirectory> place_;  // until it is closed
   std::optional<compare::KeptComparison> taken_;
 };
 
@@ -177,7 +179,9 @@ void bind_comparison(nb::module_& module) {
            "A run that was made elsewhere.")
       .def("take_failure", &BoundComparison::take_failure, nb::arg("number"), nb::arg("message"),
            "A run that found no light.")
-      .def("finish", &BoundComparison::finish, nb::arg("progress").none(), "compare.json");
+      .def("finish", &BoundComparison::finish, nb::arg("progress").none(), "compare.json")
+      .def("close", &BoundComparison::close,
+           "Others may write into the directory from now on; this is the end of it.");
 }
 
 }  // namespace wander::python

@@ -120,6 +120,7 @@ class BoundRun {
   // With its checkpoint: `wander render --continue` carries it on.
   void write(const std::string& directory, bool replaces, double exposure) {
     const Alone alone(is_going_on_);
+    if (!shown_.record.run) throw UsageError("this run has computed nothing yet");
     write_record(shown_.record, directory, replaces, exposure);
     Checkpoint checkpoint = request_.checkpoint(shown_.budget);
     checkpoint.run = shown_.kept();

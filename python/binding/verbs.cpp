@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "python/binding/listening.h"
 #include "python/binding/record.h"
 #include "python/binding/run_request.h"
+#include "records/atomic_file.h"
 #include "tools/check_run.h"
 #include "tools/import_files.h"
 
@@ -91,6 +93,12 @@ void bind_verbs(nb::module_& module) {
   module.def("check", &check_of, nb::arg("scene"), nb::arg("dials"), nb::arg("samples"),
              nb::arg("seed"), nb::arg("threads"), nb::arg("progress").none(),
              "The findings as JSON and as text.");
+  module.def(
+      "write_file",
+      [](const std::string& path, const nb::bytes& bytes) {
+        write_file(path, std::string_view(bytes.c_str(), bytes.size()));
+      },
+      nb::arg("path"), nb::arg("bytes"), "Whole or not at all.");
   module.def("merge", &merged, nb::arg("directories"), nb::arg("scene"), nb::arg("threads"));
   module.def("import_mitsuba", &imported, nb::arg("file"), nb::arg("out"), nb::arg("parameters"),
              nb::arg("approximate"), "What is not exact, each with its place.");

@@ -185,12 +185,15 @@ def compare(
     engine = _wander.Comparison(
         read._bound, words, fixed, sweeps, replicates, seed, target, str(folder), overwrite, threads, line
     )
-    if client is not None:
-        from .cluster import make_turns
+    try:
+        if client is not None:
+            from .cluster import make_turns
 
-        make_turns(client, read, engine, threads or 1, progress)
-    with Bar(progress) as bar:
-        data = engine.finish(bar.listener)
+            make_turns(client, read, engine, threads or 1, progress)
+        with Bar(progress) as bar:
+            data = engine.finish(bar.listener)
+    finally:
+        engine.close()  # not when what was raised is forgotten
     found = Comparison(json.loads(data), folder, kept)
     if not found.record["complete"]:
         raise Interrupted("interrupted; `run` has the runs that are complete", found)

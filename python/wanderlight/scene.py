@@ -143,8 +143,8 @@ class Scene:
 
     def save(self, path: str | Path) -> None:
         """Writes the scene file, and beside it the meshes that are made of arrays; files of meshes stay where they are."""
-        Path(path).write_text(self.text, encoding="utf-8")
         self._save_meshes(Path(path).parent)
+        _wander.write_file(str(path), self.text.encode("utf-8"))
 
     def _save_meshes(self, folder: Path) -> None:
         if self._meshes:
@@ -187,7 +187,7 @@ class _OwnMeshes:
 
     def save(self, folder: Path) -> None:
         for file, text in self.texts.items():
-            Path(folder, file).write_text(text, encoding="ascii")
+            _wander.write_file(str(Path(folder, file)), text.encode("ascii"))
 
 
 def _parsed(document: Mapping[str, Any], name: str, folder: str | Path | None) -> _wander.Scene:

@@ -91,7 +91,7 @@ def trace(
         raise Interrupted("interrupted before the first step")
     with tempfile.TemporaryDirectory(prefix="wanderlight-") as folder:
         place = Path(out) if out is not None else Path(folder, "trace.nc")
-        place.write_bytes(file)
+        _wander.write_file(str(place), file)
         data = arviz.from_netcdf(str(place))
         _load(data)
     if not is_complete:

@@ -146,6 +146,27 @@ def test_what_is_saved_over_a_run_is_not_carried_on_as_that_run(tmp_path):
     assert wl.open_run(tmp_path / "run1").samples == 2000
 
 
+def test_a_comparison_that_was_given_up_leaves_its_directory_to_the_next(tmp_path):
+    def stop(*_):
+        raise ArithmeticError("given up")
+
+    ask = dict(methods=["pt", "bdpt"], budgets=["2k"], replicates=2, out=tmp_path / "made", overwrite=True)
+    with pytest.raises(ArithmeticError) as given_up:
+        wl.compare("gallery:furnace", progress=stop, **ask)
+    # Its traceback is held, as an interactive session does, and with it all that the call had.
+    assert given_up.traceback and wl.compare("gallery:furnace", **ask).contenders == ["pt", "bdpt"]
+
+
+def test_what_cannot_be_written_leaves_what_was_there(tmp_path):
+    scene = wl.load("gallery:furnace")
+    for place in (tmp_path / "none" / "scene.json", tmp_path):
+        with pytest.raises(wl.OutputError, match=str(place)):
+            scene.save(place)
+    with pytest.raises(wl.OutputError, match="none"):
+        wl.trace("gallery:slit", steps=10, chains=1, out=tmp_path / "none" / "trace.nc")
+    assert not list(tmp_path.iterdir())
+
+
 def test_numbers_of_numpy_are_numbers(tmp_path):
     found = wl.render("gallery:slit", "pssmlt", 1000, large_step=np.float64(0.25))
     assert "--large-step 0.25" in found.record["command_line"]
