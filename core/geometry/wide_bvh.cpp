@@ -12,9 +12,6 @@ namespace wander {
 namespace {
 
 constexpr float never = std::numeric_limits<float>::infinity();
-// No ray that is aimed at a scene from farther away meets it but by its exact direction; and no origin is to have the
-// coordinate of the planes of an empty box, infinity.
-constexpr double farthest = 1e30;
 
 // By at least so much the conversion to single precision rounds.
 float rounding(float nearest) {
@@ -68,7 +65,7 @@ struct WideBvh<W>::Builder {
 
   std::int32_t add_node() {
     Node node;
-    // Empty boxes are entered by nothing; a ray that is no number may find what it likes, but something.
+    // Empty boxes are entered by nothing but a ray whose origin has no number in single precision, which enters all.
     node.children.fill({0, 1});
     for (auto& planes : node.planes) {
       planes[low] = Lanes{} + never;
@@ -162,8 +159,7 @@ struct WideBvh<W>::Slabs {
     const PowerOfTwo length(size);
     unit = scale * length.value;
     for (int axis = 0; axis < W::dimension; ++axis) {
-      const auto origin = static_cast<float>(
-          std::clamp<Length>((ray.origin[axis] - center[axis]) * scale, -farthest, farthest));
+      const auto origin = static_cast<float>((ray.origin[axis] - center[axis]) * scale);
       const auto inverse = static_cast<float>(1 / (ray.direction[axis] * length.inverse));
       // Directions are as good as random, so what hangs on their signs is computed and not branched to.
       const int falls = std::signbit(inverse);
