@@ -29,11 +29,33 @@ TEST(HardCases, DarkFilmsAndADarkReference) {
   const Comparison dark_films = summarize(runs);
   EXPECT_NEAR(dark_films.cells.at(0).relative_rmse.value, 1, 1e-12);
   EXPECT_FALSE(dark_films.crossings.at(0).significant);
+  EXPECT_SAYS(dark_films.cautions, "No replicate found any light");
+  EXPECT_EQ(joined(dark_films.cautions).find("does not fall like"), std::string::npos)
+      << "of black films nothing else is said: " << joined(dark_films.cautions);
   runs.reference.film = made_film(std::vector<double>(16, 0.0), 0);
   const Comparison dark = summarize(runs);
   EXPECT_TRUE(std::isnan(dark.cells.at(0).relative_rmse.value));
   EXPECT_EQ(dark.cells.at(0).rmse.value, 0);
   EXPECT_SAYS(dark.verdict, "The reference is dark");
+}
+
+TEST(HardCases, AContenderWhoseRunsAllFailed) {
+  Generator random(1);
+  Runs runs = made_runs({.replicates = 4, .seconds = {1}}, two, random);
+  const auto is_of_b = [](const compare::Run& run) { return run.contender == 1; };
+  const auto fail = [&](const compare::Run& run) {
+    runs.failures.push_back({run.contender, run.budget, run.replicate, run.seed, "no light"});
+  };
+  const compare::Run last = *std::ranges::find_if(runs.runs, is_of_b);
+  std::ranges::for_each(runs.runs, [&](const auto& run) {
+    if (is_of_b(run)) fail(run);
+  });
+  std::erase_if(runs.runs, is_of_b);
+  EXPECT_SAYS(summarize(runs).cautions, "All 4 runs of b failed.");
+  runs.failures.erase(runs.failures.begin());  // of one there are errors
+  runs.runs.push_back(last);
+  EXPECT_SAYS(summarize(runs).cautions,
+              "3 of 4 runs of b failed: its errors are those of the rest.");
 }
 
 TEST(HardCases, FilmsThatEqualTheReference) {
