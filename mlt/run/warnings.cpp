@@ -14,6 +14,7 @@
 #include "core/reliability.h"
 #include "mlt/run/chain_settings.h"
 #include "mlt/run/deposit.h"
+#include "mlt/run/reliability.h"
 #include "mlt/watch/functional_words.h"
 #include "statistics/number_text.h"
 #include "work/parallel.h"
